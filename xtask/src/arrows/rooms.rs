@@ -1,0 +1,146 @@
+//! Inside `crates/operators`: `algebra ← measuring ← making`, and no tolerance in `algebra`.
+
+use std::path::{Component, Path};
+
+use anyhow::{Context, Result};
+
+use super::findings::{Findings, files_below};
+use super::source::{self, Mention};
+
+/// The rooms in the order of their arrows: each may import those before it.
+const ROOMS: [&str; 3] = ["algebra", "measuring", "making"];
+
+/// Below this, a positive number literal is a tolerance and no coefficient.
+const SMALLEST_COEFFICIENT: f64 = 1e-3;
+
+/// Reads every source file of the three rooms.
+pub(super) fn check(root: &Path, findings: &mut Findings) -> Result<()> {
+    let sources = root.join("crates/operators/src");
+    for (place, room) in ROOMS.iter().enumerate() {
+        for file in files_below(&sources.join(room), &[".rs"])? {
+            let text = std::fs::read_to_string(&file)?;
+            let module = module_of(file.strip_prefix(&sources)?);
+            let shown = file.strip_prefix(root)?;
+            check_file(shown, &module, place, &text, findings)
+                .with_context(|| format!("{} cannot be read", shown.display()))?;
+        }
+    }
+    Ok(())
+}
+
+fn check_file(
+    file: &Path,
+    module: &[String],
+    place: usize,
+    text: &str,
+    findings: &mut Findings,
+) -> Result<()> {
+    findings.read();
+    let mentions = source::mentions(text)?;
+    for path in &mentions.paths {
+        let target = resolve(module, &path.text);
+        let turned =
+            ROOMS[place + 1..].iter().find(|room| target.first().is_some_and(|name| name == *room));
+        if let Some(room) = turned {
+            findings.add(file, path.line, format!("`{}` may not import `{room}`", ROOMS[place]));
+        }
+    }
+    if ROOMS[place] == "algebra" {
+        check_exact(file, &mentions, findings);
+    }
+    Ok(())
+}
+
+fn check_exact(file: &Path, mentions: &source::Mentions, findings: &mut Findings) {
+    let epsilons = mentions.paths.iter().filter(|path| path.text.ends_with("EPSILON"));
+    for mention in mentions.floats.iter().filter(|float| is_tolerance(float)).chain(epsilons) {
+        findings.add(
+            file,
+            mention.line,
+            format!("`{}` is a tolerance: algebra is exact", mention.text),
+        );
+    }
+}
+
+fn is_tolerance(literal: &Mention) -> bool {
+    let digits = literal.text.replace('_', "");
+    let number = digits.trim_end_matches("f64").trim_end_matches("f32");
+    number.parse::<f64>().is_ok_and(|value| value > 0.0 && value < SMALLEST_COEFFICIENT)
+}
+
+/// `algebra/immerse/plan.rs` is the module `algebra::immerse::plan`; a `mod.rs` is its folder.
+fn module_of(file: &Path) -> Vec<String> {
+    let mut names: Vec<String> = file
+        .with_extension("")
+        .components()
+        .filter_map(|part| match part {
+            Component::Normal(name) => Some(name.to_string_lossy().into_owned()),
+            _ => None,
+        })
+        .collect();
+    names.pop_if(|name| name == "mod");
+    names
+}
+
+/// A path from the crate's root: `crate::`, `self::` and `super::` are followed from `module`.
+/// A path of another crate, or to a local name, stays outside the rooms and is empty.
+fn resolve(module: &[String], path: &str) -> Vec<String> {
+    let mut names = path.split("::").peekable();
+    let mut target = match names.peek() {
+        Some(&"crate") => Vec::new(),
+        Some(&("self" | "super")) => module.to_vec(),
+        _ => return Vec::new(),
+    };
+    for name in names {
+        match name {
+            "crate" | "self" => {}
+            "super" => drop(target.pop()),
+            _ => target.push(name.to_owned()),
+        }
+    }
+    target
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn findings_of(file: &str, text: &str) -> String {
+        let mut findings = Findings::default();
+        let module = module_of(Path::new(file));
+        let place = ROOMS.iter().position(|room| *room == module[0]).unwrap();
+        check_file(Path::new(file), &module, place, text, &mut findings).unwrap();
+        findings.to_string()
+    }
+
+    #[test]
+    fn imports_along_the_arrow_are_silent() {
+        assert_eq!(findings_of("making/fit.rs", "use crate::algebra::elevate;"), "");
+        assert_eq!(findings_of("making/fit.rs", "use super::super::measuring::length;"), "");
+        assert_eq!(findings_of("algebra/immerse/plan.rs", "use super::making;"), "");
+    }
+
+    #[test]
+    fn imports_against_the_arrow_are_named() {
+        let expected = "algebra/elevate.rs:1: `algebra` may not import `making`";
+        assert_eq!(findings_of("algebra/elevate.rs", "use crate::making::fit;"), expected);
+        assert_eq!(findings_of("algebra/elevate.rs", "use super::super::making::fit;"), expected);
+        assert_eq!(
+            findings_of("measuring/length.rs", "fn f() {\n    crate::making::fit()\n}"),
+            "measuring/length.rs:2: `measuring` may not import `making`"
+        );
+    }
+
+    #[test]
+    fn a_tolerance_in_algebra_is_named_and_a_coefficient_is_not() {
+        assert_eq!(findings_of("algebra/elevate.rs", "const HALF: f64 = 0.5;"), "");
+        assert_eq!(
+            findings_of("algebra/elevate.rs", "const SMALL: f64 = 1e-9;"),
+            "algebra/elevate.rs:1: `1e-9` is a tolerance: algebra is exact"
+        );
+        assert!(
+            findings_of("algebra/elevate.rs", "fn f() -> f64 { f64::EPSILON }").contains("EPSILON")
+        );
+        assert_eq!(findings_of("measuring/length.rs", "const SMALL: f64 = 1e-9;"), "");
+    }
+}
