@@ -1,0 +1,78 @@
+//! Rows of coefficients: Bernstein polynomials, their Taylor expansion, the blossom.
+
+use crate::{Matrix, Scalar, pascal_row};
+
+/// The Bernstein polynomials `B₀ … B_degree` at `t`, for any `t`.
+///
+/// By the triangle of de Casteljau run on the basis: in `[0, 1]` no term is subtracted, so each
+/// value is within `2·degree` roundings of the exact one (Farin, *Curves and Surfaces for CAGD*,
+/// section 5.1).
+pub fn bernstein_row<S: Scalar>(degree: usize, t: &S) -> Vec<S> {
+    let mut row = Vec::with_capacity(degree + 1);
+    bernstein_row_into(degree, t, &mut row);
+    row
+}
+
+/// [`bernstein_row`] into a buffer that is used again.
+pub(crate) fn bernstein_row_into<S: Scalar>(degree: usize, t: &S, row: &mut Vec<S>) {
+    row.clear();
+    row.push(S::one());
+    let s = S::one() - t.clone();
+    for _ in 0..degree {
+        blend(row, &s, t);
+    }
+}
+
+/// One step of the triangle: row `k` of the basis becomes row `k + 1`.
+fn blend<S: Scalar>(row: &mut Vec<S>, s: &S, t: &S) {
+    let mut left = S::zero();
+    for entry in row.iter_mut() {
+        let above = entry.clone();
+        *entry = s.clone() * above.clone() + left;
+        left = t.clone() * above;
+    }
+    row.push(left);
+}
+
+/// Coefficients of the poles in the blossom value `f[t₁, …, t_n]`, `n` the degree.
+///
+/// With all arguments equal this is [`bernstein_row`] (Ramshaw, *Blossoming*, 1987).
+pub fn blossom_row<S: Scalar>(arguments: &[S]) -> Vec<S> {
+    let mut row = Vec::with_capacity(arguments.len() + 1);
+    row.push(S::one());
+    for t in arguments {
+        blend(&mut row, &(S::one() - t.clone()), t);
+    }
+    row
+}
+
+/// Rows 0 to `last` of Taylor coefficients at `t`: row `r` holds `B_j⁽ʳ⁾(t) / r!`.
+///
+/// Rows above the degree are zero.
+pub fn taylor_rows<S: Scalar>(degree: usize, last: usize, t: &S) -> Matrix<S> {
+    let choices = pascal_row::<S>(degree);
+    let rows: Vec<Vec<S>> = (0..=last)
+        .map(|r| {
+            if r > degree {
+                return vec![S::zero(); degree + 1];
+            }
+            let mut row = bernstein_row(degree - r, t);
+            for _ in 0..r {
+                difference(&mut row);
+            }
+            row.iter().map(|x| choices[r].clone() * x.clone()).collect()
+        })
+        .collect();
+    Matrix::from_rule(last + 1, degree + 1, |r, j| rows[r][j].clone())
+}
+
+/// The coefficients `c` of `Σ c_j P_j` become those of `Σ c_j (P_{j+1} − P_j)`.
+fn difference<S: Scalar>(row: &mut Vec<S>) {
+    let mut left = S::zero();
+    for entry in row.iter_mut() {
+        let above = entry.clone();
+        *entry = left - above.clone();
+        left = above;
+    }
+    row.push(left);
+}

@@ -1,0 +1,237 @@
+//! Evaluate many points in `f64`, without an allocation per point.
+
+use crate::basis::bernstein_row_into;
+use crate::jet::vanishing_weight;
+use crate::{Error, Form, Result, bernstein_row, limit};
+
+impl Form<f64> {
+    /// Euclidean points on the grid of the given parameters, one list for each axis.
+    ///
+    /// The result has shape `(len₀, len₁, …, ambient)`, C order.
+    ///
+    /// Errors: `Shape`, `Domain` where the weight vanishes or a parameter is not finite, `Limit`.
+    pub fn grid(&self, parameters: &[&[f64]]) -> Result<Vec<f64>> {
+        self.require_per_axis("parameters", parameters)?;
+        let counts: Vec<usize> = parameters.iter().map(|list| list.len()).collect();
+        let mut out = vec![0.0; limit::check::<f64>("the grid", &counts, self.ambient())?];
+        self.grid_into(parameters, &mut out)?;
+        Ok(out)
+    }
+
+    /// [`Form::grid`] into an array of the caller's.
+    ///
+    /// The first axes are contracted once for each of their samples; only the last is summed
+    /// for each point, together with the projection.
+    pub fn grid_into(&self, parameters: &[&[f64]], out: &mut [f64]) -> Result<()> {
+        self.require_per_axis("parameters", parameters)?;
+        let counts: usize = parameters.iter().map(|list| list.len()).product();
+        require_output(out, counts * self.ambient())?;
+        for list in parameters {
+            require_finite_list(list)?;
+        }
+        if counts == 0 {
+            return Ok(());
+        }
+        let rows: Vec<Vec<f64>> = parameters
+            .iter()
+            .zip(self.orders())
+            .map(|(list, order)| list.iter().flat_map(|t| bernstein_row(order - 1, t)).collect())
+            .collect();
+        let mut scratch = Vec::new();
+        self.descend(self.homogeneous(), 0, &rows, &mut scratch, out)
+    }
+
+    /// Contracts axis `axis` with each of its rows and goes on with the rest of the axes.
+    fn descend(
+        &self,
+        poles: &[f64],
+        axis: usize,
+        rows: &[Vec<f64>],
+        scratch: &mut Vec<Vec<f64>>,
+        out: &mut [f64],
+    ) -> Result<()> {
+        let Some(&order) = self.orders().get(axis) else {
+            return project(poles, out);
+        };
+        let samples = rows[axis].len() / order;
+        let share = out.len() / samples;
+        let inner = poles.len() / order;
+        if axis + 1 == self.axes() {
+            return sum_rows(poles, &rows[axis], order, out);
+        }
+        let mut line = scratch.pop().unwrap_or_default();
+        for (row, part) in rows[axis].chunks_exact(order).zip(out.chunks_exact_mut(share)) {
+            combine(row, poles, inner, &mut line);
+            self.descend(&line, axis + 1, rows, scratch, part)?;
+        }
+        scratch.push(line);
+        Ok(())
+    }
+
+    /// Euclidean points at scattered parameters: `parameters[k][i]` is parameter `k` of point `i`.
+    ///
+    /// Errors: as [`Form::grid`]; `Shape` when the lists have different lengths.
+    pub fn scattered(&self, parameters: &[&[f64]]) -> Result<Vec<f64>> {
+        let count = parameters.first().map_or(1, |list| list.len());
+        let mut out = vec![0.0; limit::check::<f64>("the batch", &[count], self.ambient())?];
+        self.scattered_into(parameters, &mut out)?;
+        Ok(out)
+    }
+
+    /// [`Form::scattered`] into an array of the caller's.
+    pub fn scattered_into(&self, parameters: &[&[f64]], out: &mut [f64]) -> Result<()> {
+        let mut batch = Batch::default();
+        let ambient = self.ambient();
+        self.each_scattered(parameters, out, ambient, |form, at, part| {
+            project(batch.homogeneous(form, at), part)
+        })
+    }
+
+    /// Derivatives `∂^orders` of the points at scattered parameters, into `out`.
+    ///
+    /// Errors: as [`Form::scattered`].
+    pub fn scattered_derivative_into(
+        &self,
+        parameters: &[&[f64]],
+        orders: &[usize],
+        out: &mut [f64],
+    ) -> Result<()> {
+        let ambient = self.ambient();
+        self.each_scattered(parameters, out, ambient, |form, at, part| {
+            part.copy_from_slice(&form.derivative_at(at, orders)?);
+            Ok(())
+        })
+    }
+
+    /// Calls `visit(form, parameters, numbers)` for each of the points.
+    ///
+    /// `width` numbers of `out` belong to each. Errors: `Shape`, and those of `visit`.
+    pub fn each_scattered(
+        &self,
+        parameters: &[&[f64]],
+        out: &mut [f64],
+        width: usize,
+        mut visit: impl FnMut(&Self, &[f64], &mut [f64]) -> Result<()>,
+    ) -> Result<()> {
+        self.require_per_axis("parameters", parameters)?;
+        let count = parameters.first().map_or(1, |list| list.len());
+        for list in parameters {
+            if list.len() != count {
+                return Err(Error::shape(
+                    "parameters",
+                    format!("lists of {count} and {}", list.len()),
+                    "lists of one length",
+                ));
+            }
+            require_finite_list(list)?;
+        }
+        require_output(out, count * width)?;
+        let mut at = vec![0.0; self.axes()];
+        for (i, part) in out.chunks_exact_mut(width).enumerate() {
+            for (t, list) in at.iter_mut().zip(parameters) {
+                *t = list[i];
+            }
+            visit(self, &at, part)?;
+        }
+        Ok(())
+    }
+}
+
+/// Buffers for evaluating one point after another without allocating.
+#[derive(Default)]
+pub struct Batch {
+    row: Vec<f64>,
+    from: Vec<f64>,
+    to: Vec<f64>,
+}
+
+impl Batch {
+    /// The homogeneous point of `form` at `parameters`, which must be finite and one for each axis.
+    pub fn homogeneous(&mut self, form: &Form<f64>, parameters: &[f64]) -> &[f64] {
+        self.from.clear();
+        self.from.extend_from_slice(form.homogeneous());
+        for (t, order) in parameters.iter().zip(form.orders()) {
+            bernstein_row_into(order - 1, t, &mut self.row);
+            combine(&self.row, &self.from, self.from.len() / order, &mut self.to);
+            std::mem::swap(&mut self.from, &mut self.to);
+        }
+        &self.from
+    }
+}
+
+/// `line = Σ row[j] · poles[j]`, lines of `inner` numbers.
+fn combine(row: &[f64], poles: &[f64], inner: usize, line: &mut Vec<f64>) {
+    line.clear();
+    line.resize(inner, 0.0);
+    for (coefficient, pole) in row.iter().zip(poles.chunks_exact(inner)) {
+        for (sum, x) in line.iter_mut().zip(pole) {
+            *sum += coefficient * x;
+        }
+    }
+}
+
+/// Sums and projects the poles of a curve for every row of basis values.
+fn sum_rows(poles: &[f64], rows: &[f64], order: usize, out: &mut [f64]) -> Result<()> {
+    match poles.len() / order {
+        3 => sum_rows_of::<3>(poles, rows, order, out),
+        4 => sum_rows_of::<4>(poles, rows, order, out),
+        width => {
+            let mut point = Vec::new();
+            for (row, part) in rows.chunks_exact(order).zip(out.chunks_exact_mut(width - 1)) {
+                combine(row, poles, width, &mut point);
+                project(&point, part)?;
+            }
+            Ok(())
+        }
+    }
+}
+
+/// The same with the width known to the compiler, so that a point stays in registers.
+fn sum_rows_of<const W: usize>(
+    poles: &[f64],
+    rows: &[f64],
+    order: usize,
+    out: &mut [f64],
+) -> Result<()> {
+    let (poles, _) = poles.as_chunks::<W>();
+    for (row, part) in rows.chunks_exact(order).zip(out.chunks_exact_mut(W - 1)) {
+        let mut point = [0.0; W];
+        for (coefficient, pole) in row.iter().zip(poles) {
+            for k in 0..W {
+                point[k] += coefficient * pole[k];
+            }
+        }
+        project(&point, part)?;
+    }
+    Ok(())
+}
+
+#[inline]
+fn project(point: &[f64], out: &mut [f64]) -> Result<()> {
+    let (coordinates, weight) = point.split_at(out.len());
+    if weight[0] == 0.0 {
+        return Err(vanishing_weight());
+    }
+    for (x, coordinate) in out.iter_mut().zip(coordinates) {
+        *x = coordinate / weight[0];
+    }
+    Ok(())
+}
+
+fn require_output(out: &[f64], expected: usize) -> Result<()> {
+    if out.len() == expected {
+        return Ok(());
+    }
+    Err(Error::shape(
+        "out",
+        format!("{} numbers", out.len()),
+        format!("{expected}"),
+    ))
+}
+
+fn require_finite_list(list: &[f64]) -> Result<()> {
+    match list.iter().find(|t| !t.is_finite()) {
+        None => Ok(()),
+        Some(t) => Err(Error::domain("parameters", t, "finite numbers")),
+    }
+}

@@ -1,0 +1,119 @@
+//! Act along one axis: the move behind subdivision, elevation, stretching, interpolation, splines.
+
+use crate::{Error, Form, Result, Scalar, limit};
+
+/// A dense matrix, row after row.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Matrix<S = f64> {
+    rows: usize,
+    columns: usize,
+    entries: Vec<S>,
+}
+
+impl<S: Scalar> Matrix<S> {
+    /// A matrix from its rows, one after another.
+    ///
+    /// Errors: `Shape` when the rows have different lengths or there is none.
+    pub fn from_rows(rows: Vec<Vec<S>>) -> Result<Self> {
+        let columns = rows.first().map_or(0, Vec::len);
+        if columns == 0 || rows.iter().any(|row| row.len() != columns) {
+            let lengths: Vec<usize> = rows.iter().map(Vec::len).collect();
+            return Err(Error::shape(
+                "rows",
+                format!("lengths {lengths:?}"),
+                "rows of one length, at least 1",
+            ));
+        }
+        Ok(Self {
+            rows: rows.len(),
+            columns,
+            entries: rows.into_iter().flatten().collect(),
+        })
+    }
+
+    /// A matrix whose entry at `(row, column)` is given by a rule.
+    pub fn from_rule(rows: usize, columns: usize, rule: impl Fn(usize, usize) -> S) -> Self {
+        let entries = (0..rows * columns)
+            .map(|k| rule(k / columns, k % columns))
+            .collect();
+        Self {
+            rows,
+            columns,
+            entries,
+        }
+    }
+
+    /// Number of rows: the order after acting.
+    pub fn rows(&self) -> usize {
+        self.rows
+    }
+
+    /// Number of columns: the order before acting.
+    pub fn columns(&self) -> usize {
+        self.columns
+    }
+
+    /// Row `index`.
+    pub fn row(&self, index: usize) -> &[S] {
+        &self.entries[index * self.columns..][..self.columns]
+    }
+
+    /// `out[a, r, k] = Σ_j M[r, j] · input[a, j, k]` for an array of shape `(·, columns, inner)`.
+    pub fn act(&self, input: &[S], inner: usize, out: &mut Vec<S>) {
+        out.clear();
+        let block = self.columns * inner;
+        for part in input.chunks_exact(block) {
+            for row in self.entries.chunks_exact(self.columns) {
+                let start = out.len();
+                out.resize(start + inner, S::zero());
+                for (entry, line) in row.iter().zip(part.chunks_exact(inner)) {
+                    if !entry.is_zero() {
+                        S::add_multiple(&mut out[start..], entry, line);
+                    }
+                }
+            }
+        }
+    }
+}
+
+impl<S: Scalar> Form<S> {
+    /// The form whose poles along `axis` are the matrix times the old ones.
+    ///
+    /// Linear in the poles; acts on different axes commute. One pass over the array.
+    ///
+    /// Errors: `Shape` when there is no such axis or the columns are not its order; `Limit`.
+    pub fn along(&self, axis: usize, matrix: &Matrix<S>) -> Result<Self> {
+        self.require_axis(axis)?;
+        if matrix.columns() != self.orders()[axis] {
+            return Err(Error::shape(
+                "matrix",
+                format!("{} columns", matrix.columns()),
+                format!("{}, the order of axis {axis}", self.orders()[axis]),
+            ));
+        }
+        let mut orders = self.orders().to_vec();
+        orders[axis] = matrix.rows();
+        let mut out = Vec::with_capacity(limit::check::<S>("the result", &orders, self.width())?);
+        let inner = self.orders()[axis + 1..].iter().product::<usize>() * self.width();
+        matrix.act(self.homogeneous(), inner, &mut out);
+        self.derived(&orders, out)
+    }
+
+    /// The form without `axis`: its poles contracted with one row of coefficients.
+    ///
+    /// Errors: as [`Form::along`].
+    pub fn contract(&self, axis: usize, row: &[S]) -> Result<Self> {
+        let matrix = Matrix::from_rows(vec![row.to_vec()])?;
+        let flat = self.along(axis, &matrix)?;
+        let mut orders = flat.orders().to_vec();
+        orders.remove(axis);
+        flat.reshape(&orders)
+    }
+
+    /// The same poles in an array of other orders with the same count.
+    ///
+    /// Errors: `Shape` when the counts differ.
+    pub fn reshape(&self, orders: &[usize]) -> Result<Self> {
+        self.derived(orders, self.homogeneous().to_vec())
+    }
+}

@@ -1,0 +1,244 @@
+//! Multiply: products of Bernstein polynomials, in the basis where they are convolutions.
+
+use crate::{Error, Form, Result, Scalar, limit, pascal_row};
+
+/// A polynomial with any number of variables and `width` components in the *scaled* Bernstein
+/// basis: coefficient `i` is the pole times `C(n, i)` along every axis.
+///
+/// In this basis a product is a plain convolution of coefficients. Nothing is subtracted that
+/// the poles do not subtract, so products of degree 27 and more keep their poles to a few
+/// roundings (Farouki and Rajan, *Algorithms for polynomials in Bernstein form*, 1988;
+/// Sánchez-Reyes, *Algebraic manipulation in the Bernstein form made simple via convolutions*, 2003).
+#[derive(Clone, Debug, PartialEq)]
+pub struct Scaled<S = f64> {
+    degrees: Vec<usize>,
+    width: usize,
+    coefficients: Vec<S>,
+}
+
+impl<S: Scalar> Scaled<S> {
+    /// The zero polynomial of these degrees, with `width` components.
+    ///
+    /// Errors: `Limit` above the cap.
+    pub fn zero(degrees: &[usize], width: usize) -> Result<Self> {
+        let orders: Vec<usize> = degrees.iter().map(|degree| degree + 1).collect();
+        let count = limit::check::<S>("the product", &orders, width)?;
+        Ok(Self {
+            degrees: degrees.to_vec(),
+            width,
+            coefficients: vec![S::zero(); count],
+        })
+    }
+
+    /// The homogeneous coordinates of a form, all its `ambient + 1` components.
+    pub fn from_form(form: &Form<S>) -> Self {
+        let mut scaled = Self {
+            degrees: form.degrees(),
+            width: form.width(),
+            coefficients: form.homogeneous().to_vec(),
+        };
+        scaled.rescale(|pole, binomial| pole * binomial);
+        scaled
+    }
+
+    /// The constant 1, as a polynomial of the given degrees.
+    ///
+    /// Errors: `Limit` above the cap.
+    pub fn one(degrees: &[usize]) -> Result<Self> {
+        let mut scaled = Self::zero(degrees, 1)?;
+        scaled.coefficients.fill(S::one());
+        scaled.rescale(|pole, binomial| pole * binomial);
+        Ok(scaled)
+    }
+
+    /// A polynomial of no variables: one coefficient of several components.
+    pub fn constant(components: &[S]) -> Self {
+        Self {
+            degrees: Vec::new(),
+            width: components.len(),
+            coefficients: components.to_vec(),
+        }
+    }
+
+    /// Degree along each axis.
+    pub fn degrees(&self) -> &[usize] {
+        &self.degrees
+    }
+
+    /// Number of components.
+    pub fn width(&self) -> usize {
+        self.width
+    }
+
+    /// Component `k` alone.
+    #[must_use]
+    pub fn component(&self, k: usize) -> Self {
+        let every = self.coefficients.chunks_exact(self.width);
+        Self {
+            degrees: self.degrees.clone(),
+            width: 1,
+            coefficients: every.map(|pole| pole[k].clone()).collect(),
+        }
+    }
+
+    /// `self + factor·other`, both of the same degrees and width.
+    pub fn add_multiple(&mut self, factor: &S, other: &Self) {
+        debug_assert!(self.degrees == other.degrees && self.width == other.width);
+        S::add_multiple(&mut self.coefficients, factor, &other.coefficients);
+    }
+
+    /// `self += a·b`, where `b` has a single component and the degrees of `a` and `b` add up to
+    /// those of `self`.
+    pub fn add_product(&mut self, a: &Self, b: &Self) {
+        debug_assert!(b.width == 1 && a.width == self.width);
+        let strides = self.strides();
+        let run = a.degrees.last().map_or(1, |degree| degree + 1) * a.width;
+        let outer = a.degrees.len().saturating_sub(1);
+        let starts = offsets(&a.degrees[..outer], &strides);
+        let shifts = offsets(&b.degrees, &strides);
+        for (factor, shift) in b.coefficients.iter().zip(&shifts) {
+            if factor.is_zero() {
+                continue;
+            }
+            for (line, start) in a.coefficients.chunks_exact(run).zip(&starts) {
+                let target = &mut self.coefficients[shift + start..][..run];
+                S::add_multiple(target, factor, line);
+            }
+        }
+    }
+
+    /// The product of `self` and a polynomial of one component.
+    ///
+    /// Errors: `Shape` when the axes differ, `Limit` above the cap.
+    pub fn times(&self, factor: &Self) -> Result<Self> {
+        if self.degrees.len() != factor.degrees.len() || factor.width != 1 {
+            return Err(Error::shape(
+                "factor",
+                format!("{} axes, {} components", factor.degrees.len(), factor.width),
+                format!("{} axes and a single component", self.degrees.len()),
+            ));
+        }
+        let sums = self.degrees.iter().zip(&factor.degrees);
+        let degrees: Vec<usize> = sums.map(|(a, b)| a + b).collect();
+        let mut product = Self::zero(&degrees, self.width)?;
+        product.add_product(self, factor);
+        Ok(product)
+    }
+
+    /// The same polynomial written with higher degrees: a product with 1.
+    ///
+    /// Errors: `Shape` when a degree would fall, `Limit` above the cap.
+    pub fn raised_to(&self, degrees: &[usize]) -> Result<Self> {
+        let gaps: Option<Vec<usize>> = degrees
+            .iter()
+            .zip(&self.degrees)
+            .map(|(to, from)| to.checked_sub(*from))
+            .collect();
+        match gaps {
+            Some(gaps) if gaps.len() == self.degrees.len() => {
+                if gaps.iter().all(|&gap| gap == 0) {
+                    return Ok(self.clone());
+                }
+                self.times(&Self::one(&gaps)?)
+            }
+            _ => Err(Error::shape(
+                "degrees",
+                format!("{degrees:?}"),
+                format!("at least {:?}", self.degrees),
+            )),
+        }
+    }
+
+    /// The difference `self − other`, both of the same degrees and width.
+    #[must_use]
+    pub fn minus(mut self, other: &Self) -> Self {
+        self.add_multiple(&-S::one(), other);
+        self
+    }
+
+    /// Back to poles: the components are homogeneous coordinates, the weight last.
+    ///
+    /// Errors: `Shape` with fewer than two components, `Domain` when a number overflowed.
+    pub fn into_form(mut self) -> Result<Form<S>> {
+        if self.width < 2 {
+            return Err(Error::shape(
+                "components",
+                self.width,
+                "a coordinate and a weight at least",
+            ));
+        }
+        self.rescale(|scaled, binomial| scaled / binomial);
+        let orders: Vec<usize> = self.degrees.iter().map(|degree| degree + 1).collect();
+        Form::from_homogeneous(&orders, self.width - 1, self.coefficients)
+    }
+
+    /// Identifies two axes, `first < second`: the polynomial on the diagonal of their square, on
+    /// axis `first`. In this basis, sums along the antidiagonals.
+    #[must_use]
+    pub fn merged(&self, first: usize, second: usize) -> Self {
+        let mut degrees = self.degrees.clone();
+        degrees[first] += degrees.remove(second);
+        let count: usize = degrees.iter().map(|degree| degree + 1).product();
+        let mut merged = Self {
+            degrees,
+            width: self.width,
+            coefficients: vec![S::zero(); count * self.width],
+        };
+        let mut strides = merged.strides();
+        strides.insert(second, strides[first]);
+        let targets = offsets(&self.degrees, &strides);
+        for (pole, start) in self.coefficients.chunks_exact(self.width).zip(&targets) {
+            S::add_multiple(
+                &mut merged.coefficients[*start..start + self.width],
+                &S::one(),
+                pole,
+            );
+        }
+        merged
+    }
+
+    /// Distance in the array between neighbours along each axis.
+    fn strides(&self) -> Vec<usize> {
+        let mut step = self.width;
+        let mut strides: Vec<usize> = self
+            .degrees
+            .iter()
+            .rev()
+            .map(|degree| {
+                let stride = step;
+                step *= degree + 1;
+                stride
+            })
+            .collect();
+        strides.reverse();
+        strides
+    }
+
+    /// Applies `change(coefficient, C(n, i))` along every axis.
+    fn rescale(&mut self, change: impl Fn(S, S) -> S) {
+        let mut inner = self.width;
+        for &degree in self.degrees.iter().rev() {
+            let row = pascal_row::<S>(degree);
+            for block in self.coefficients.chunks_exact_mut(inner * (degree + 1)) {
+                for (line, binomial) in block.chunks_exact_mut(inner).zip(&row) {
+                    for x in line {
+                        *x = change(x.clone(), binomial.clone());
+                    }
+                }
+            }
+            inner *= degree + 1;
+        }
+    }
+}
+
+/// Position of every index `(i₀, i₁, …)`, each up to its degree, in an array of these strides.
+fn offsets(degrees: &[usize], strides: &[usize]) -> Vec<usize> {
+    let mut positions = vec![0];
+    for (degree, stride) in degrees.iter().zip(strides) {
+        positions = positions
+            .iter()
+            .flat_map(|start| (0..=*degree).map(move |i| start + i * stride))
+            .collect();
+    }
+    positions
+}

@@ -1,0 +1,1 @@
+//! The operators of pforms: forms in, forms or numbers out.

@@ -1,0 +1,1 @@
+//! Pascalian forms: one exact kernel, and the command line.

@@ -1,0 +1,1 @@
+//! Values, styles and a camera to plain buffers.

@@ -1,0 +1,1 @@
+//! Random forms, laws and golden cases, for tests.
