@@ -120,7 +120,7 @@ bench: $(extension) .tools/bench/ready
 	$(BENCH)/python benches/run.py
 
 book: .tools/book/ready
-	$(BOOK)/mkdocs build --quiet --strict --config-file book/mkdocs.yml
+	NO_MKDOCS_2_WARNING=1 $(BOOK)/mkdocs build --quiet --strict --config-file book/mkdocs.yml
 	@echo "The manual: book/html/index.html"
 
 # ---- ground -----------------------------------------------------------------------------------

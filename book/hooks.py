@@ -1,0 +1,58 @@
+"""What the manual needs beyond Markdown: the order of its chapters, and formulas without a script.
+
+A formula is written as GitHub reads it, ``$`…`$`` in a line or a fence named ``math``, and becomes
+MathML, which browsers draw by themselves.
+"""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+from typing import Any
+
+from latex2mathml.converter import convert
+
+# Pages and chapters in reading order; a chapter is a folder, its pages in alphabetical order.
+CHAPTERS = {
+    "index.md": "pforms",
+    "start.md": "Start",
+    "forms.md": "Forms",
+    "operators": "Operators",
+    "formulas.md": "Formulas",
+    "sheet.md": "Sheet",
+    "studio.md": "Studio",
+    "python.md": "Python",
+    "command-line.md": "Command line",
+    "formats.md": "Formats",
+    "decisions": "Decisions",
+}
+
+FENCE = re.compile(r"^```math\n(.*?)^```$", re.DOTALL | re.MULTILINE)
+INLINE = re.compile(r"\$`([^`]+)`\$")
+
+
+def chapter(docs: Path, name: str) -> list[str]:
+    """Addresses of a chapter's pages: its index first, the others by name."""
+    pages = sorted(page.name for page in (docs / name).glob("*.md"))
+    pages.sort(key=lambda page: page != "index.md")
+    return [f"{name}/{page}" for page in pages]
+
+
+def on_config(config: Any) -> Any:
+    """Puts the chapters that exist in order; other pages follow by name."""
+    docs = Path(config["docs_dir"])
+    others = sorted(page.name for page in docs.glob("*.md") if page.name not in CHAPTERS)
+    nav: list[Any] = []
+    for name, title in CHAPTERS.items():
+        if name.endswith(".md") and (docs / name).exists():
+            nav.append({title: name})
+        elif pages := chapter(docs, name):
+            nav.append({title: pages})
+    config["nav"] = nav + others
+    return config
+
+
+def on_page_markdown(markdown: str, **_: object) -> str:
+    """Turns formulas into MathML."""
+    blocks = FENCE.sub(lambda found: convert(found[1].strip(), display="block"), markdown)
+    return INLINE.sub(lambda found: convert(found[1]), blocks)
