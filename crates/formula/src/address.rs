@@ -39,26 +39,23 @@ impl Address {
     pub const LAST_ROW: u32 = 1_000_000;
 
     /// The address at `column` and `row`, both counted from 1; `None` outside the sheet.
-    #[must_use]
     pub fn new(column: u32, row: u32) -> Option<Self> {
-        let inside = (1..=Self::LAST_COLUMN).contains(&column) && (1..=Self::LAST_ROW).contains(&row);
+        let inside =
+            (1..=Self::LAST_COLUMN).contains(&column) && (1..=Self::LAST_ROW).contains(&row);
         inside.then_some(Self { column, row })
     }
 
     /// Column, counted from 1.
-    #[must_use]
     pub fn column(self) -> u32 {
         self.column
     }
 
     /// Row, counted from 1.
-    #[must_use]
     pub fn row(self) -> u32 {
         self.row
     }
 
     /// Letters of the column: `A`, `Z`, `AA`.
-    #[must_use]
     pub fn letters(self) -> String {
         let mut letters = Vec::new();
         let mut rest = self.column;
@@ -70,7 +67,6 @@ impl Address {
     }
 
     /// The address moved by so many columns and rows; `None` if that leaves the sheet.
-    #[must_use]
     pub fn moved(self, columns: i64, rows: i64) -> Option<Self> {
         let column = i64::from(self.column).checked_add(columns)?;
         let row = i64::from(self.row).checked_add(rows)?;
@@ -114,7 +110,14 @@ mod tests {
 
     #[test]
     fn letters_count_without_a_zero() {
-        for (column, letters) in [(1, "A"), (26, "Z"), (27, "AA"), (702, "ZZ"), (703, "AAA"), (Address::LAST_COLUMN, "ZZZ")] {
+        for (column, letters) in [
+            (1, "A"),
+            (26, "Z"),
+            (27, "AA"),
+            (702, "ZZ"),
+            (703, "AAA"),
+            (Address::LAST_COLUMN, "ZZZ"),
+        ] {
             let address = Address::new(column, 7).unwrap();
             assert_eq!(address.letters(), letters);
             assert_eq!(format!("{letters}7").parse(), Ok(address));
@@ -124,7 +127,9 @@ mod tests {
     #[test]
     fn limits_hold() {
         assert!("ZZZ1000000".parse::<Address>().is_ok());
-        for text in ["", "A", "1", "A0", "A01", "A1000001", "AAAA1", "A-1", "é1", "A1B", "A99999999999"] {
+        for text in
+            ["", "A", "1", "A0", "A01", "A1000001", "AAAA1", "A-1", "é1", "A1B", "A99999999999"]
+        {
             assert_eq!(text.parse::<Address>(), Err(NotAnAddress), "{text}");
         }
         assert_eq!(Address::new(1, 1).unwrap().moved(-1, 0), None);
@@ -133,7 +138,8 @@ mod tests {
 
     #[test]
     fn addresses_sort_by_column_then_row() {
-        let mut addresses: Vec<Address> = ["B1", "AA1", "A10", "A2"].iter().map(|t| t.parse().unwrap()).collect();
+        let mut addresses: Vec<Address> =
+            ["B1", "AA1", "A10", "A2"].iter().map(|t| t.parse().unwrap()).collect();
         addresses.sort();
         let text: Vec<String> = addresses.iter().map(ToString::to_string).collect();
         assert_eq!(text, ["A2", "A10", "B1", "AA1"]);

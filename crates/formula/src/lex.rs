@@ -8,7 +8,8 @@ use crate::token::{Bracket, Kind, Token};
 /// The words of `source` from byte `from` on (a place between characters), ended by one [`Kind::End`].
 pub(crate) fn lex(source: &str, from: usize, locale: Locale) -> Vec<Token> {
     let (skipped, rest) = source.split_at(from);
-    let mut lexer = Lexer { source, rest, column: skipped.chars().count(), locale, tokens: Vec::new() };
+    let mut lexer =
+        Lexer { source, rest, column: skipped.chars().count(), locale, tokens: Vec::new() };
     while lexer.step() {}
     lexer.tokens
 }
@@ -34,7 +35,9 @@ impl Lexer<'_> {
     fn push(&mut self, kind: Kind, start: usize, column: usize) {
         let span = Span::new(start, self.offset());
         match self.tokens.last_mut() {
-            Some(last) if kind == Kind::Unknown && last.kind == kind && last.span.end == start => last.span.end = span.end,
+            Some(last) if kind == Kind::Unknown && last.kind == kind && last.span.end == start => {
+                last.span.end = span.end
+            }
             _ => self.tokens.push(Token { kind, span, column }),
         }
     }
@@ -120,14 +123,19 @@ impl Lexer<'_> {
 
     /// Whether a comma here may open a number: `,5` where an operand is due.
     fn comma_is_decimal(&self) -> bool {
-        let operand_before = |kind| matches!(kind, Kind::Number | Kind::Word | Kind::Text { .. } | Kind::Close(_));
-        self.locale == Locale::DecimalComma && !self.tokens.last().is_some_and(|t| operand_before(t.kind))
+        let operand_before =
+            |kind| matches!(kind, Kind::Number | Kind::Word | Kind::Text { .. } | Kind::Close(_));
+        self.locale == Locale::DecimalComma
+            && !self.tokens.last().is_some_and(|t| operand_before(t.kind))
     }
 
     fn number(&mut self) -> Kind {
         self.take_while(|c| c.is_ascii_digit());
         let comma = self.locale == Locale::DecimalComma
-            && self.rest.strip_prefix(',').is_some_and(|rest| rest.starts_with(|c: char| c.is_ascii_digit()));
+            && self
+                .rest
+                .strip_prefix(',')
+                .is_some_and(|rest| rest.starts_with(|c: char| c.is_ascii_digit()));
         if comma || self.peek() == Some('.') {
             self.bump();
             self.take_while(|c| c.is_ascii_digit());
@@ -220,7 +228,13 @@ mod tests {
         let tokens = lex("=é\u{a0}≤ “a”×", 1, Locale::DecimalPoint);
         let kinds: Vec<Kind> = tokens.iter().map(|t| t.kind).collect();
         let text = Kind::Text { closed: true };
-        let expected = [Kind::Word, Kind::Operator(Operator::LessEqual), text, Kind::Operator(Operator::Multiply), Kind::End];
+        let expected = [
+            Kind::Word,
+            Kind::Operator(Operator::LessEqual),
+            text,
+            Kind::Operator(Operator::Multiply),
+            Kind::End,
+        ];
         assert_eq!(kinds, expected);
         assert_eq!(tokens.iter().map(|t| t.column).collect::<Vec<_>>(), [1, 3, 5, 8, 9]);
     }

@@ -35,7 +35,7 @@ mod token;
 mod tree;
 mod uses;
 
-pub use address::Address;
+pub use address::{Address, NotAnAddress};
 pub use caret::{CallContext, Context, at};
 pub use cell::{Content, classify};
 pub use convert::convert;
@@ -48,5 +48,5 @@ pub use print::print;
 pub use problem::{Problem, Sequence};
 pub use reference::{Cells, Range, Reference};
 pub use rewrite::{map_references, rename_reference, same_name, shift};
-pub use tree::{Argument, Call, Expression, Fault, Node, NodeId, Tree};
+pub use tree::{Argument, Call, Expression, Fault, Link, Node, NodeId, Tree};
 pub use uses::{References, references};

@@ -57,7 +57,9 @@ impl Language {
 /// Reads the words for true and false in either language, in capitals or not.
 pub(crate) fn read_boolean(word: &str) -> Option<bool> {
     let is = |value| {
-        [Language::English, Language::French].iter().any(|l| l.boolean(value).eq_ignore_ascii_case(word))
+        [Language::English, Language::French]
+            .iter()
+            .any(|l| l.boolean(value).eq_ignore_ascii_case(word))
     };
     if is(true) {
         return Some(true);

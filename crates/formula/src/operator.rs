@@ -29,7 +29,6 @@ pub enum Operator {
 
 impl Operator {
     /// As it is printed.
-    #[must_use]
     pub fn symbol(self) -> &'static str {
         match self {
             Self::Add => "+",
@@ -47,7 +46,6 @@ impl Operator {
     }
 
     /// Whether it compares and gives true or false.
-    #[must_use]
     pub fn compares(self) -> bool {
         self.strength() == COMPARISON
     }
@@ -91,7 +89,6 @@ pub enum Sign {
 
 impl Sign {
     /// As it is printed.
-    #[must_use]
     pub fn symbol(self) -> char {
         match self {
             Self::Plus => '+',

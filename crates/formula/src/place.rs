@@ -11,13 +11,11 @@ pub struct Span {
 
 impl Span {
     /// The stretch from `start` to `end`.
-    #[must_use]
     pub fn new(start: usize, end: usize) -> Self {
         Self { start, end }
     }
 
     /// The text it covers; empty if the span does not belong to `source`.
-    #[must_use]
     pub fn of(self, source: &str) -> &str {
         source.get(self.start..self.end).unwrap_or_default()
     }
@@ -28,7 +26,6 @@ impl Span {
 /// ```
 /// assert_eq!(pforms_formula::byte_from_utf16("é😀x", 3), 6);
 /// ```
-#[must_use]
 pub fn byte_from_utf16(source: &str, index: usize) -> usize {
     let mut units = 0;
     for (byte, character) in source.char_indices() {
@@ -41,7 +38,6 @@ pub fn byte_from_utf16(source: &str, index: usize) -> usize {
 }
 
 /// Number of UTF-16 units before a byte offset. Past the end: the length of the text in such units.
-#[must_use]
 pub fn utf16_from_byte(source: &str, byte: usize) -> usize {
     let before = source.char_indices().take_while(|(start, _)| *start < byte);
     before.map(|(_, character)| character.len_utf16()).sum()

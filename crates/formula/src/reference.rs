@@ -16,7 +16,6 @@ pub struct Reference {
 
 impl Reference {
     /// Reads `A1`, `$A1`, `A$1` or `$A$1`, in capitals or not.
-    #[must_use]
     pub fn read(text: &str) -> Option<Self> {
         let (column_fixed, rest) = strip_dollar(text);
         let cut = rest.find(|c: char| !c.is_ascii_alphabetic())?;
@@ -28,7 +27,6 @@ impl Reference {
     }
 
     /// The reference as it reads in a copy made so many columns and rows further; `None` if it leaves the sheet.
-    #[must_use]
     pub fn shifted(self, columns: i64, rows: i64) -> Option<Self> {
         let columns = if self.column_fixed { 0 } else { columns };
         let rows = if self.row_fixed { 0 } else { rows };
@@ -75,19 +73,16 @@ pub struct Range {
 
 impl Range {
     /// First and last column, smaller one first.
-    #[must_use]
     pub fn columns(&self) -> (u32, u32) {
         ordered(self.first.address.column(), self.last.address.column())
     }
 
     /// First and last row, smaller one first.
-    #[must_use]
     pub fn rows(&self) -> (u32, u32) {
         ordered(self.first.address.row(), self.last.address.row())
     }
 
     /// How many cells there are: at least 1, up to 18,278,000,000. Check it before visiting them.
-    #[must_use]
     #[allow(clippy::len_without_is_empty, reason = "a range holds at least one cell")]
     pub fn len(&self) -> u64 {
         let extent = |(low, high): (u32, u32)| u64::from(high - low) + 1;
@@ -95,14 +90,12 @@ impl Range {
     }
 
     /// Whether the cell lies in the rectangle.
-    #[must_use]
     pub fn contains(&self, cell: Address) -> bool {
         let within = |(low, high): (u32, u32), value| (low..=high).contains(&value);
         within(self.columns(), cell.column()) && within(self.rows(), cell.row())
     }
 
     /// The cells row by row, made one at a time.
-    #[must_use]
     pub fn cells(&self) -> Cells {
         let (columns, rows) = (self.columns(), self.rows());
         Cells { columns, last_row: rows.1, next: Some((columns.0, rows.0)) }
@@ -153,7 +146,8 @@ mod tests {
         for text in ["$", "$$A1", "A$$1", "A1$", "$A", "A$", "1$A", "A$é"] {
             assert_eq!(Reference::read(text), None, "{text}");
         }
-        let shifted = |text, c, r| Reference::read(text).unwrap().shifted(c, r).map(|x| x.to_string());
+        let shifted =
+            |text, c, r| Reference::read(text).unwrap().shifted(c, r).map(|x| x.to_string());
         assert_eq!(shifted("A1", 2, 3).as_deref(), Some("C4"));
         assert_eq!(shifted("$A1", 2, 3).as_deref(), Some("$A4"));
         assert_eq!(shifted("A$1", 2, -3).as_deref(), Some("C$1"));

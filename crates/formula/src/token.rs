@@ -11,13 +11,6 @@ pub(crate) enum Bracket {
 }
 
 impl Bracket {
-    pub(crate) fn opening(self) -> char {
-        match self {
-            Self::Round => '(',
-            Self::Square => '[',
-        }
-    }
-
     pub(crate) fn closing(self) -> char {
         match self {
             Self::Round => ')',
