@@ -8,9 +8,9 @@ from __future__ import annotations
 
 import re
 from pathlib import Path
-from typing import Any
 
 from latex2mathml.converter import convert
+from mkdocs.config.defaults import MkDocsConfig
 
 # Pages and chapters in reading order; a chapter is a folder, its pages in alphabetical order.
 CHAPTERS = {
@@ -38,11 +38,11 @@ def chapter(docs: Path, name: str) -> list[str]:
     return [f"{name}/{page}" for page in pages]
 
 
-def on_config(config: Any) -> Any:
+def on_config(config: MkDocsConfig) -> MkDocsConfig:
     """Puts the chapters that exist in order; other pages follow by name."""
     docs = Path(config["docs_dir"])
     others = sorted(page.name for page in docs.glob("*.md") if page.name not in CHAPTERS)
-    nav: list[Any] = []
+    nav: list[object] = []
     for name, title in CHAPTERS.items():
         if name.endswith(".md") and (docs / name).exists():
             nav.append({title: name})
