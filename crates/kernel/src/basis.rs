@@ -46,6 +46,17 @@ pub fn blossom_row<S: Scalar>(arguments: &[S]) -> Vec<S> {
     row
 }
 
+/// [`blossom_row`] with homogeneous arguments `[s, t]`: the parameter is `t / (s + t)`, so
+/// `[1, 0]` is 0, `[0, 1]` is 1 and `[-1, 1]` is infinity.
+pub fn projective_blossom_row<S: Scalar>(arguments: &[[S; 2]]) -> Vec<S> {
+    let mut row = Vec::with_capacity(arguments.len() + 1);
+    row.push(S::one());
+    for [s, t] in arguments {
+        blend(&mut row, s, t);
+    }
+    row
+}
+
 /// Rows 0 to `last` of Taylor coefficients at `t`: row `r` holds `B_j⁽ʳ⁾(t) / r!`.
 ///
 /// Rows above the degree are zero.

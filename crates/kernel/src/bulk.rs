@@ -222,11 +222,7 @@ fn require_output(out: &[f64], expected: usize) -> Result<()> {
     if out.len() == expected {
         return Ok(());
     }
-    Err(Error::shape(
-        "out",
-        format!("{} numbers", out.len()),
-        format!("{expected}"),
-    ))
+    Err(Error::shape("out", format!("{} numbers", out.len()), format!("{expected}")))
 }
 
 fn require_finite_list(list: &[f64]) -> Result<()> {

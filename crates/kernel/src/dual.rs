@@ -31,10 +31,7 @@ pub struct Dual<S = f64> {
 impl<S: Scalar> Dual<S> {
     /// A number that does not move.
     pub fn constant(value: S) -> Self {
-        Dual {
-            value,
-            slope: S::zero(),
-        }
+        Dual { value, slope: S::zero() }
     }
 }
 
@@ -47,10 +44,7 @@ impl<S: Scalar> PartialOrd for Dual<S> {
 impl<S: Scalar> Add for Dual<S> {
     type Output = Self;
     fn add(self, other: Self) -> Self {
-        Dual {
-            value: self.value + other.value,
-            slope: self.slope + other.slope,
-        }
+        Dual { value: self.value + other.value, slope: self.slope + other.slope }
     }
 }
 
@@ -64,10 +58,7 @@ impl<S: Scalar> AddAssign for Dual<S> {
 impl<S: Scalar> Sub for Dual<S> {
     type Output = Self;
     fn sub(self, other: Self) -> Self {
-        Dual {
-            value: self.value - other.value,
-            slope: self.slope - other.slope,
-        }
+        Dual { value: self.value - other.value, slope: self.slope - other.slope }
     }
 }
 
@@ -85,24 +76,20 @@ impl<S: Scalar> Div for Dual<S> {
     type Output = Self;
     fn div(self, other: Self) -> Self {
         let value = self.value / other.value.clone();
-        Dual {
-            slope: (self.slope - value.clone() * other.slope) / other.value,
-            value,
-        }
+        Dual { slope: (self.slope - value.clone() * other.slope) / other.value, value }
     }
 }
 
 impl<S: Scalar> Neg for Dual<S> {
     type Output = Self;
     fn neg(self) -> Self {
-        Dual {
-            value: -self.value,
-            slope: -self.slope,
-        }
+        Dual { value: -self.value, slope: -self.slope }
     }
 }
 
 impl<S: Scalar> Scalar for Dual<S> {
+    const EXACT: bool = S::EXACT;
+
     fn zero() -> Self {
         Self::constant(S::zero())
     }

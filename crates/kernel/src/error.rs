@@ -91,11 +91,7 @@ impl Error {
 
     /// A [`Error::Format`] at a known place.
     pub fn format(what: &str, place: Option<Place>, message: impl fmt::Display) -> Self {
-        Self::Format {
-            what: what.to_owned(),
-            place,
-            message: message.to_string(),
-        }
+        Self::Format { what: what.to_owned(), place, message: message.to_string() }
     }
 
     /// The name of the variant, the same in every face: `Shape`, `Domain`, …
@@ -123,11 +119,7 @@ impl Fault {
 
 impl fmt::Display for Fault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self {
-            argument,
-            received,
-            expected,
-        } = self;
+        let Self { argument, received, expected } = self;
         write!(f, "{argument}: received {received}, expected {expected}")
     }
 }
@@ -139,11 +131,9 @@ impl fmt::Display for Error {
             | Self::Domain(fault)
             | Self::Degenerate(fault)
             | Self::Accuracy(fault) => fault.fmt(f),
-            Self::Format {
-                what,
-                place: Some(Place { line, column }),
-                message,
-            } => write!(f, "{what}, line {line}, column {column}: {message}"),
+            Self::Format { what, place: Some(Place { line, column }), message } => {
+                write!(f, "{what}, line {line}, column {column}: {message}")
+            }
             Self::Format { what, message, .. } => write!(f, "{what}: {message}"),
             Self::Limit { what, bytes, cap } => write!(
                 f,

@@ -40,18 +40,11 @@ impl<S: Scalar> Form<S> {
             return Err(Error::shape(
                 "poles",
                 format!("{} numbers", poles.len()),
-                format!(
-                    "{count} for orders {orders:?} and {} coordinates a pole",
-                    ambient + 1
-                ),
+                format!("{count} for orders {orders:?} and {} coordinates a pole", ambient + 1),
             ));
         }
         require_finite("poles", &poles, ambient + 1)?;
-        Ok(Self {
-            orders: SmallVec::from_slice(orders),
-            ambient,
-            poles: Arc::new(poles),
-        })
+        Ok(Self { orders: SmallVec::from_slice(orders), ambient, poles: Arc::new(poles) })
     }
 
     /// A form from euclidean points, `ambient` numbers each, and their weights (1 if absent).
@@ -143,17 +136,32 @@ impl<S: Scalar> Form<S> {
 
     /// The weight of every pole.
     pub fn weights(&self) -> Vec<S> {
-        self.poles
-            .chunks_exact(self.width())
-            .map(|pole| pole[self.ambient].clone())
-            .collect()
+        self.poles.chunks_exact(self.width()).map(|pole| pole[self.ambient].clone()).collect()
     }
 
     /// Do the weights differ? A form whose weights are all equal is polynomial.
     pub fn is_rational(&self) -> bool {
+        self.uniform_weight().is_none()
+    }
+
+    /// The weight that all poles have, if they have one weight.
+    pub fn uniform_weight(&self) -> Option<&S> {
+        let first = &self.poles[self.ambient];
         let mut poles = self.poles.chunks_exact(self.width());
-        let first = poles.next().map(|pole| &pole[self.ambient]);
-        poles.any(|pole| Some(&pole[self.ambient]) != first)
+        poles.all(|pole| pole[self.ambient] == *first).then_some(first)
+    }
+
+    /// The same form with every weight replaced by `weight`, the other coordinates left alone.
+    ///
+    /// An affine operator on a polynomial form gives a polynomial form: this makes that hold to
+    /// the bit, where sums of rounded coefficients would give weights like 0.9999999999999999.
+    #[must_use]
+    pub fn with_uniform_weight(mut self, weight: &S) -> Self {
+        let width = self.width();
+        for pole in Arc::make_mut(&mut self.poles).chunks_exact_mut(width) {
+            pole[width - 1] = weight.clone();
+        }
+        self
     }
 
     /// The euclidean poles, `ambient` numbers each.
@@ -306,12 +314,7 @@ fn require_finite<S: Scalar>(argument: &str, numbers: &[S], width: usize) -> Res
     let first = numbers.iter().position(|x| !x.is_finite()).unwrap_or(0);
     Err(Error::domain(
         argument,
-        format!(
-            "{:?} in pole {}, coordinate {}",
-            numbers[first],
-            first / width,
-            first % width
-        ),
+        format!("{:?} in pole {}, coordinate {}", numbers[first], first / width, first % width),
         "finite numbers (a pole at infinity has weight 0)",
     ))
 }

@@ -16,10 +16,7 @@ impl<S: Scalar> Jet<S> {
         let count = orders.iter().map(|order| order + 1).product();
         let mut coefficients = vec![S::zero(); count];
         coefficients[0] = value;
-        Self {
-            orders: orders.to_vec(),
-            coefficients,
-        }
+        Self { orders: orders.to_vec(), coefficients }
     }
 
     /// The value at the point.
@@ -68,11 +65,8 @@ impl<S: Scalar> Jet<S> {
         for (k, target) in indices.iter().enumerate() {
             let mut rest = self.coefficients[k].clone();
             for (j, known) in indices[..k].iter().enumerate() {
-                let gap: Option<Vec<usize>> = target
-                    .iter()
-                    .zip(known)
-                    .map(|(a, b)| a.checked_sub(*b))
-                    .collect();
+                let gap: Option<Vec<usize>> =
+                    target.iter().zip(known).map(|(a, b)| a.checked_sub(*b)).collect();
                 if let Some(gap) = gap {
                     let d = divisor.coefficients[self.position(&gap)].clone();
                     rest = rest - d * quotient.coefficients[j].clone();
@@ -141,9 +135,7 @@ impl<S: Scalar> Form<S> {
     pub fn derivative_at(&self, parameters: &[S], orders: &[usize]) -> Result<Vec<S>> {
         let mut jets = self.jets(parameters, orders)?;
         let weight = jets.pop().ok_or_else(vanishing_weight)?;
-        jets.iter()
-            .map(|jet| Ok(jet.divided_by(&weight)?.top_derivative()))
-            .collect()
+        jets.iter().map(|jet| Ok(jet.divided_by(&weight)?.top_derivative())).collect()
     }
 }
 

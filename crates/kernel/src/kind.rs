@@ -85,7 +85,5 @@ fn read_orders(text: &str, curve: bool) -> Option<Vec<usize>> {
     if curve {
         return Some(vec![parse(text)?]);
     }
-    text.chars()
-        .map(|digit| digit.to_digit(10).map(|order| order as usize))
-        .collect()
+    text.chars().map(|digit| digit.to_digit(10).map(|order| order as usize)).collect()
 }

@@ -32,7 +32,7 @@ mod product;
 mod rational;
 mod scalar;
 
-pub use basis::{bernstein_row, blossom_row, taylor_rows};
+pub use basis::{bernstein_row, blossom_row, projective_blossom_row, taylor_rows};
 pub use bulk::Batch;
 pub use dual::Dual;
 pub use error::{Error, Fault, Place, Result};

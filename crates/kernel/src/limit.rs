@@ -28,19 +28,13 @@ pub fn check<S>(what: &str, orders: &[usize], width: usize) -> Result<usize> {
         .iter()
         .try_fold(1u128, |product, &order| product.checked_mul(order as u128))
         .unwrap_or(u128::MAX);
-    let bytes = poles
-        .saturating_mul(width as u128)
-        .saturating_mul(size_of::<S>() as u128);
+    let bytes = poles.saturating_mul(width as u128).saturating_mul(size_of::<S>() as u128);
     let cap = u128::from(cap());
     if bytes <= cap {
         return Ok(poles as usize * width);
     }
     let orders: Vec<String> = orders.iter().map(usize::to_string).collect();
-    Err(Error::Limit {
-        what: format!("{what} would have {} poles", orders.join("×")),
-        bytes,
-        cap,
-    })
+    Err(Error::Limit { what: format!("{what} would have {} poles", orders.join("×")), bytes, cap })
 }
 
 /// A size a person can read: `630 kB`, `84 GB`.

@@ -24,23 +24,13 @@ impl<S: Scalar> Matrix<S> {
                 "rows of one length, at least 1",
             ));
         }
-        Ok(Self {
-            rows: rows.len(),
-            columns,
-            entries: rows.into_iter().flatten().collect(),
-        })
+        Ok(Self { rows: rows.len(), columns, entries: rows.into_iter().flatten().collect() })
     }
 
     /// A matrix whose entry at `(row, column)` is given by a rule.
     pub fn from_rule(rows: usize, columns: usize, rule: impl Fn(usize, usize) -> S) -> Self {
-        let entries = (0..rows * columns)
-            .map(|k| rule(k / columns, k % columns))
-            .collect();
-        Self {
-            rows,
-            columns,
-            entries,
-        }
+        let entries = (0..rows * columns).map(|k| rule(k / columns, k % columns)).collect();
+        Self { rows, columns, entries }
     }
 
     /// Number of rows: the order after acting.
@@ -97,6 +87,17 @@ impl<S: Scalar> Form<S> {
         let inner = self.orders()[axis + 1..].iter().product::<usize>() * self.width();
         matrix.act(self.homogeneous(), inner, &mut out);
         self.derived(&orders, out)
+    }
+
+    /// [`Form::along`] for a matrix whose rows sum to 1: a polynomial form stays polynomial exactly.
+    ///
+    /// Errors: as [`Form::along`].
+    pub fn along_affine(&self, axis: usize, matrix: &Matrix<S>) -> Result<Self> {
+        let result = self.along(axis, matrix)?;
+        Ok(match self.uniform_weight() {
+            Some(weight) => result.with_uniform_weight(weight),
+            None => result,
+        })
     }
 
     /// The form without `axis`: its poles contracted with one row of coefficients.

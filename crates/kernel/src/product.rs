@@ -23,11 +23,7 @@ impl<S: Scalar> Scaled<S> {
     pub fn zero(degrees: &[usize], width: usize) -> Result<Self> {
         let orders: Vec<usize> = degrees.iter().map(|degree| degree + 1).collect();
         let count = limit::check::<S>("the product", &orders, width)?;
-        Ok(Self {
-            degrees: degrees.to_vec(),
-            width,
-            coefficients: vec![S::zero(); count],
-        })
+        Ok(Self { degrees: degrees.to_vec(), width, coefficients: vec![S::zero(); count] })
     }
 
     /// The homogeneous coordinates of a form, all its `ambient + 1` components.
@@ -51,13 +47,9 @@ impl<S: Scalar> Scaled<S> {
         Ok(scaled)
     }
 
-    /// A polynomial of no variables: one coefficient of several components.
-    pub fn constant(components: &[S]) -> Self {
-        Self {
-            degrees: Vec::new(),
-            width: components.len(),
-            coefficients: components.to_vec(),
-        }
+    /// A polynomial of degree 0 along each of `axes` axes: one coefficient of several components.
+    pub fn constant(axes: usize, components: &[S]) -> Self {
+        Self { degrees: vec![0; axes], width: components.len(), coefficients: components.to_vec() }
     }
 
     /// Degree along each axis.
@@ -129,11 +121,8 @@ impl<S: Scalar> Scaled<S> {
     ///
     /// Errors: `Shape` when a degree would fall, `Limit` above the cap.
     pub fn raised_to(&self, degrees: &[usize]) -> Result<Self> {
-        let gaps: Option<Vec<usize>> = degrees
-            .iter()
-            .zip(&self.degrees)
-            .map(|(to, from)| to.checked_sub(*from))
-            .collect();
+        let gaps: Option<Vec<usize>> =
+            degrees.iter().zip(&self.degrees).map(|(to, from)| to.checked_sub(*from)).collect();
         match gaps {
             Some(gaps) if gaps.len() == self.degrees.len() => {
                 if gaps.iter().all(|&gap| gap == 0) {
@@ -146,6 +135,55 @@ impl<S: Scalar> Scaled<S> {
                 format!("{degrees:?}"),
                 format!("at least {:?}", self.degrees),
             )),
+        }
+    }
+
+    /// The derivative along `axis`, of one degree less (0 stays 0).
+    #[must_use]
+    pub fn derivative(&self, axis: usize) -> Self {
+        let degree = self.degrees[axis];
+        let mut degrees = self.degrees.clone();
+        degrees[axis] = degree.saturating_sub(1);
+        let inner = self.strides()[axis];
+        let mut coefficients = Vec::with_capacity(self.coefficients.len());
+        for block in self.coefficients.chunks_exact(inner * (degree + 1)) {
+            if degree == 0 {
+                coefficients.resize(coefficients.len() + inner, S::zero());
+            }
+            for i in 0..degree {
+                let (left, right) = (S::from_integer((degree - i) as i64), i as i64 + 1);
+                let lines = block[i * inner..].iter().zip(&block[(i + 1) * inner..]);
+                coefficients.extend(
+                    lines.take(inner).map(|(a, b)| {
+                        S::from_integer(right) * b.clone() - left.clone() * a.clone()
+                    }),
+                );
+            }
+        }
+        Self { degrees, width: self.width, coefficients }
+    }
+
+    /// The components of `self` followed by those of `other`, of the same degrees.
+    #[must_use]
+    pub fn beside(&self, other: &Self) -> Self {
+        debug_assert!(self.degrees == other.degrees);
+        let poles = self.coefficients.chunks_exact(self.width);
+        let others = other.coefficients.chunks_exact(other.width);
+        Self {
+            degrees: self.degrees.clone(),
+            width: self.width + other.width,
+            coefficients: poles.zip(others).flat_map(|(a, b)| a.iter().chain(b).cloned()).collect(),
+        }
+    }
+
+    /// The first `count` components alone.
+    #[must_use]
+    pub fn truncated(&self, count: usize) -> Self {
+        let poles = self.coefficients.chunks_exact(self.width);
+        Self {
+            degrees: self.degrees.clone(),
+            width: count,
+            coefficients: poles.flat_map(|pole| pole[..count].iter().cloned()).collect(),
         }
     }
 
@@ -179,20 +217,13 @@ impl<S: Scalar> Scaled<S> {
         let mut degrees = self.degrees.clone();
         degrees[first] += degrees.remove(second);
         let count: usize = degrees.iter().map(|degree| degree + 1).product();
-        let mut merged = Self {
-            degrees,
-            width: self.width,
-            coefficients: vec![S::zero(); count * self.width],
-        };
+        let mut merged =
+            Self { degrees, width: self.width, coefficients: vec![S::zero(); count * self.width] };
         let mut strides = merged.strides();
         strides.insert(second, strides[first]);
         let targets = offsets(&self.degrees, &strides);
         for (pole, start) in self.coefficients.chunks_exact(self.width).zip(&targets) {
-            S::add_multiple(
-                &mut merged.coefficients[*start..start + self.width],
-                &S::one(),
-                pole,
-            );
+            S::add_multiple(&mut merged.coefficients[*start..start + self.width], &S::one(), pole);
         }
         merged
     }

@@ -10,6 +10,8 @@ use crate::Scalar;
 pub type Rational = BigRational;
 
 impl Scalar for Rational {
+    const EXACT: bool = true;
+
     fn zero() -> Self {
         Zero::zero()
     }

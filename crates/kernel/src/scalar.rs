@@ -22,6 +22,9 @@ pub trait Scalar:
     + Neg<Output = Self>
     + AddAssign
 {
+    /// Does arithmetic never round?
+    const EXACT: bool;
+
     /// The neutral element of addition.
     fn zero() -> Self;
 
@@ -76,6 +79,8 @@ pub trait Scalar:
 }
 
 impl Scalar for f64 {
+    const EXACT: bool = false;
+
     fn zero() -> Self {
         0.0
     }

@@ -1,0 +1,92 @@
+//! Elevation: the same form with more poles.
+//!
+//! The poles of degree `n + r` are `q_i = Σ_j C(n,j)·C(r,i−j)/C(n+r,i) · p_j`: a product with the
+//! polynomial 1 written in degree `r` (book 212; Farin, section 6.1).
+
+use pforms_kernel::{Error, Form, Matrix, Result, Scalar, limit, pascal_row};
+
+/// The form with `by[k]` more poles along each axis `k`. Exact; the shape does not change.
+///
+/// In `f64` every new pole is a mean of old ones with positive weights, within 8 roundings for
+/// each axis of the exact one, relative to the largest pole.
+///
+/// Errors: `Shape` unless there is one number for each axis; `Limit`.
+///
+/// ```
+/// use pforms_kernel::Form;
+/// let parabola: Form = Form::from_points(&[3], 1, &[0., 3., 0.], None)?;
+/// let cubic = pforms_operators::elevate(&parabola, &[1])?;
+/// assert_eq!(cubic.points()?, [0., 2., 2., 0.]);
+/// # Ok::<(), pforms_kernel::Error>(())
+/// ```
+pub fn elevate<S: Scalar>(form: &Form<S>, by: &[usize]) -> Result<Form<S>> {
+    form.require_per_axis("by", by)?;
+    let orders: Vec<usize> =
+        form.orders().iter().zip(by).map(|(order, more)| order.saturating_add(*more)).collect();
+    limit::check::<S>("the elevated form", &orders, form.width())?;
+    let mut raised = form.clone();
+    for (axis, &more) in by.iter().enumerate() {
+        if more > 0 {
+            let degree = form.orders()[axis] - 1;
+            raised = raised.along_affine(axis, &elevation_matrix(degree, more)?)?;
+        }
+    }
+    Ok(raised)
+}
+
+/// The matrix that raises a degree by `by`: `degree + by + 1` rows, `degree + 1` columns.
+///
+/// Errors: `Limit` when it is larger than the cap.
+pub fn elevation_matrix<S: Scalar>(degree: usize, by: usize) -> Result<Matrix<S>> {
+    let raised = degree.saturating_add(by);
+    limit::check::<S>("the elevation matrix", &[raised, degree + 1], 1)?;
+    let (old, gap, new) = (pascal_row::<S>(degree), pascal_row::<S>(by), pascal_row::<S>(raised));
+    Ok(Matrix::from_rule(raised + 1, degree + 1, |i, j| {
+        if j > i || i - j > by {
+            S::zero()
+        } else {
+            old[j].clone() * gap[i - j].clone() / new[i].clone()
+        }
+    }))
+}
+
+/// The form raised to the given orders, none of which may be below its own.
+///
+/// Errors: `Shape` when one is, or unless there is one order for each axis; `Limit`.
+pub fn raise_to<S: Scalar>(form: &Form<S>, orders: &[usize]) -> Result<Form<S>> {
+    form.require_per_axis("orders", orders)?;
+    let by: Option<Vec<usize>> =
+        orders.iter().zip(form.orders()).map(|(to, from)| to.checked_sub(*from)).collect();
+    let by = by.ok_or_else(|| {
+        Error::shape("orders", format!("{orders:?}"), format!("at least {:?}", form.orders()))
+    })?;
+    elevate(form, &by)
+}
+
+/// The forms, each raised to the largest order that occurs along each axis.
+///
+/// Errors: `Shape` when they differ in their number of axes or in their space, or there is none.
+pub fn raise_together<S: Scalar>(forms: &[&Form<S>]) -> Result<Vec<Form<S>>> {
+    let Some(first) = forms.first() else {
+        return Err(Error::shape("forms", "none", "at least one form"));
+    };
+    let mut orders = first.orders().to_vec();
+    for (index, form) in forms.iter().enumerate() {
+        if form.axes() != first.axes() || form.ambient() != first.ambient() {
+            return Err(Error::shape(
+                "forms",
+                format!("a {} in {}D as form {index}", form.kind(), form.ambient()),
+                format!(
+                    "forms with {} axes in {}D like the first, a {}",
+                    first.axes(),
+                    first.ambient(),
+                    first.kind()
+                ),
+            ));
+        }
+        for (largest, order) in orders.iter_mut().zip(form.orders()) {
+            *largest = (*largest).max(*order);
+        }
+    }
+    forms.iter().map(|form| raise_to(form, &orders)).collect()
+}
