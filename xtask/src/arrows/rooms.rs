@@ -13,42 +13,68 @@ const ROOMS: [&str; 3] = ["algebra", "measuring", "making"];
 /// Below this, a positive number literal is a tolerance and no coefficient.
 const SMALLEST_COEFFICIENT: f64 = 1e-3;
 
+/// For each room, the names it hands to the crate's front door.
+type Exports = [Vec<String>; ROOMS.len()];
+
+/// A file of a room: where it is shown to be, its module path, its room's place, its text.
+struct SourceFile<'a> {
+    shown: &'a Path,
+    module: Vec<String>,
+    room: usize,
+    text: &'a str,
+}
+
 /// Reads every source file of the three rooms.
 pub(super) fn check(root: &Path, findings: &mut Findings) -> Result<()> {
     let sources = root.join("crates/operators/src");
+    let mut exports = Exports::default();
+    for (names, room) in exports.iter_mut().zip(ROOMS) {
+        let door = sources.join(room).join("mod.rs");
+        if door.exists() {
+            *names = exported(&std::fs::read_to_string(door)?)?;
+        }
+    }
     for (place, room) in ROOMS.iter().enumerate() {
         for file in files_below(&sources.join(room), &[".rs"])? {
             let text = std::fs::read_to_string(&file)?;
             let module = module_of(file.strip_prefix(&sources)?);
             let shown = file.strip_prefix(root)?;
-            check_file(shown, &module, place, &text, findings)
+            let source = SourceFile { shown, module, room: place, text: &text };
+            check_file(&source, &exports, findings)
                 .with_context(|| format!("{} cannot be read", shown.display()))?;
         }
     }
     Ok(())
 }
 
-fn check_file(
-    file: &Path,
-    module: &[String],
-    place: usize,
-    text: &str,
-    findings: &mut Findings,
-) -> Result<()> {
+fn check_file(file: &SourceFile<'_>, exports: &Exports, findings: &mut Findings) -> Result<()> {
     findings.read();
-    let mentions = source::mentions(text)?;
+    let mentions = source::mentions(file.text)?;
     for path in &mentions.paths {
-        let target = resolve(module, &path.text);
-        let turned =
-            ROOMS[place + 1..].iter().find(|room| target.first().is_some_and(|name| name == *room));
-        if let Some(room) = turned {
-            findings.add(file, path.line, format!("`{}` may not import `{room}`", ROOMS[place]));
+        let target = resolve(&file.module, &path.text);
+        if let Some(room) = room_of(&target, exports).filter(|room| *room > file.room) {
+            let (here, there) = (ROOMS[file.room], ROOMS[room]);
+            findings.add(file.shown, path.line, format!("`{here}` may not import `{there}`"));
         }
     }
-    if ROOMS[place] == "algebra" {
-        check_exact(file, &mentions, findings);
+    if ROOMS[file.room] == "algebra" {
+        check_exact(file.shown, &mentions, findings);
     }
     Ok(())
+}
+
+/// The room a path from the crate's root leads into, by its folder or through the front door.
+fn room_of(target: &[String], exports: &Exports) -> Option<usize> {
+    let first = target.first()?;
+    let folder = ROOMS.iter().position(|room| first == room);
+    folder.or_else(|| exports.iter().position(|names| target.len() == 1 && names.contains(first)))
+}
+
+/// The names that a room's `mod.rs` re-exports.
+fn exported(door: &str) -> Result<Vec<String>> {
+    let mentions = source::mentions(door)?;
+    let last = |path: &Mention| path.text.rsplit("::").next().map(str::to_owned);
+    Ok(mentions.paths.iter().filter_map(last).collect())
 }
 
 fn check_exact(file: &Path, mentions: &source::Mentions, findings: &mut Findings) {
@@ -107,9 +133,11 @@ mod tests {
 
     fn findings_of(file: &str, text: &str) -> String {
         let mut findings = Findings::default();
-        let module = module_of(Path::new(file));
-        let place = ROOMS.iter().position(|room| *room == module[0]).unwrap();
-        check_file(Path::new(file), &module, place, text, &mut findings).unwrap();
+        let shown = Path::new(file);
+        let module = module_of(shown);
+        let room = ROOMS.iter().position(|room| *room == module[0]).unwrap();
+        let exports = ["elevate", "length", "fit"].map(|name| vec![name.to_owned()]);
+        check_file(&SourceFile { shown, module, room, text }, &exports, &mut findings).unwrap();
         findings.to_string()
     }
 
@@ -128,6 +156,19 @@ mod tests {
         assert_eq!(
             findings_of("measuring/length.rs", "fn f() {\n    crate::making::fit()\n}"),
             "measuring/length.rs:2: `measuring` may not import `making`"
+        );
+    }
+
+    #[test]
+    fn the_front_door_is_no_way_around() {
+        assert_eq!(findings_of("making/arc.rs", "use crate::{elevate, fit};"), "");
+        assert_eq!(
+            findings_of("algebra/elevate.rs", "use crate::fit;"),
+            "algebra/elevate.rs:1: `algebra` may not import `making`"
+        );
+        assert_eq!(
+            exported("mod fit;\npub use fit::{Fit, fit as fitted};").unwrap(),
+            ["Fit", "fit"]
         );
     }
 
