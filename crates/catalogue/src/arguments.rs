@@ -1,0 +1,165 @@
+//! The arguments of a call, and how they find their parameters.
+
+use crate::catalogue::nearest;
+use crate::{Arithmetic, Bound, Failure, Language, Operator, Parameter, Value};
+
+/// The arguments of a call, as a formula gives them.
+///
+/// ```
+/// use pforms_catalogue::{Arguments, Value, find};
+/// let arguments = Arguments::new([Value::Number(4.0)]);
+/// assert_eq!(find("racine").unwrap().call(arguments).display(Default::default()), "2");
+/// ```
+#[derive(Clone, Debug, Default)]
+pub struct Arguments<S = f64> {
+    positional: Vec<Positional<S>>,
+    named: Vec<(String, Value<S>)>,
+}
+
+#[derive(Clone, Debug)]
+struct Positional<S> {
+    value: Value<S>,
+    range: bool,
+}
+
+impl<S: Arithmetic> Arguments<S> {
+    /// Arguments in order.
+    pub fn new(values: impl IntoIterator<Item = Value<S>>) -> Self {
+        let positional =
+            values.into_iter().map(|value| Positional { value, range: false }).collect();
+        Self { positional, named: Vec::new() }
+    }
+
+    /// Adds an argument.
+    pub fn push(&mut self, value: Value<S>) {
+        self.positional.push(Positional { value, range: false });
+    }
+
+    /// Adds a range of cells: one argument, or as many as there are cells for a parameter that
+    /// takes several. A range of several rows gives its rows as lists. Empty cells are left out.
+    pub fn push_range(&mut self, cells: Vec<Value<S>>) {
+        let filled = cells.into_iter().filter(|value| !matches!(value, Value::Empty)).collect();
+        self.positional.push(Positional { value: Value::list(filled), range: true });
+    }
+
+    /// Adds an argument `name = value`.
+    pub fn push_named(&mut self, name: impl Into<String>, value: Value<S>) {
+        self.named.push((name.into(), value));
+    }
+
+    pub(crate) fn first_failure(&self) -> Option<&Failure> {
+        let positional = self.positional.iter().map(|argument| &argument.value);
+        positional.chain(self.named.iter().map(|(_, value)| value)).find_map(first_failure)
+    }
+
+    /// Gives every argument its parameter.
+    ///
+    /// Errors: an argument too many, one missing, a name that is unknown or given twice.
+    pub(crate) fn bind(self, operator: &'static Operator) -> Result<Bound<S>, Failure> {
+        let mut slots: Vec<Vec<Value<S>>> =
+            operator.parameters.iter().map(|_| Vec::new()).collect();
+        let given = self.positional.len();
+        let mut positional = self.positional.into_iter();
+        for (slot, parameter) in slots.iter_mut().zip(operator.parameters) {
+            if parameter.variadic {
+                *slot = spread(positional.by_ref().collect());
+            } else if let Some(argument) = positional.next() {
+                slot.push(argument.value);
+            }
+        }
+        if positional.next().is_some() {
+            return Err(too_many(operator, given));
+        }
+        for (name, value) in self.named {
+            let index = position_of(operator, &name)?;
+            if !slots[index].is_empty() {
+                return Err(given_twice(&operator.parameters[index]));
+            }
+            slots[index] = if operator.parameters[index].variadic {
+                spread(vec![Positional { value, range: true }])
+            } else {
+                vec![value]
+            };
+        }
+        let missing = operator.parameters.iter().zip(&slots);
+        match missing.into_iter().find(|(p, slot)| p.is_required() && slot.is_empty()) {
+            Some((parameter, _)) => Err(not_given(operator, parameter)),
+            None => Ok(Bound::new(operator, slots)),
+        }
+    }
+}
+
+fn first_failure<S: Arithmetic>(value: &Value<S>) -> Option<&Failure> {
+    match value {
+        Value::Error(failure) => Some(failure),
+        Value::List(items) => items.iter().find_map(first_failure),
+        _ => None,
+    }
+}
+
+/// The values of a parameter that takes several: a range, and a list that comes alone, are taken
+/// apart; lists side by side are nets of points, each a value of its own, unless they hold more.
+fn spread<S: Arithmetic>(arguments: Vec<Positional<S>>) -> Vec<Value<S>> {
+    let alone = arguments.len() == 1;
+    let mut values = Vec::with_capacity(arguments.len());
+    for argument in arguments {
+        let whole = !argument.range && !alone && argument.value.is_points();
+        match argument.value {
+            Value::List(items) if !whole => values.extend(items),
+            value => values.push(value),
+        }
+    }
+    values
+}
+
+fn position_of(operator: &Operator, name: &str) -> Result<usize, Failure> {
+    let found = operator.parameters.iter().position(|parameter| parameter.name.matches(name));
+    found.ok_or_else(|| {
+        let known = |language: Language| {
+            operator.parameters.iter().map(move |p| p.name.get(language)).collect::<Vec<_>>()
+        };
+        let (en, fr) = (known(Language::English), known(Language::French));
+        let failure = Failure::new(
+            "Name",
+            format!("unknown argument “{name}”, expected {}", en.join(", ")),
+            format!("argument « {name} » inconnu, attendu {}", fr.join(", ")),
+        );
+        match nearest(name, en.iter().chain(&fr).copied()) {
+            Some(near) => failure
+                .with_hint(format!("did you mean {near}?"), format!("vouliez-vous dire {near} ?")),
+            None => failure,
+        }
+    })
+}
+
+fn too_many(operator: &Operator, given: usize) -> Failure {
+    let most = operator.parameters.len();
+    Failure::new(
+        "Shape",
+        format!(
+            "{given} arguments given, expected at most {most}: {}",
+            operator.signature(Language::English)
+        ),
+        format!(
+            "{given} arguments reçus, {most} attendus au plus : {}",
+            operator.signature(Language::French)
+        ),
+    )
+}
+
+fn given_twice(parameter: &Parameter) -> Failure {
+    Failure::new(
+        "Shape",
+        format!("{} is given twice", parameter.name.en),
+        format!("{} est donné deux fois", parameter.name.fr),
+    )
+}
+
+fn not_given(operator: &Operator, parameter: &Parameter) -> Failure {
+    Failure::new(
+        "Shape",
+        format!("{} is missing, expected {}", parameter.name.en, parameter.takes.words().en),
+        format!("{} manque, attendu {}", parameter.name.fr, parameter.takes.words().fr),
+    )
+    .with_hint(operator.signature(Language::English), operator.signature(Language::French))
+}

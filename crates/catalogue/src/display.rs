@@ -1,0 +1,108 @@
+//! The short text of a value, as a cell shows it.
+
+use pforms_kernel::{Form, Scalar};
+
+use crate::{Arithmetic, Language, Value};
+
+/// Items of a list that are written out.
+const SHOWN: usize = 6;
+
+/// Longest text that is repeated in an error.
+const QUOTED: usize = 30;
+
+impl<S: Arithmetic> Value<S> {
+    /// The short text a cell shows: `0.25`, `1/3`, `(1, 2, 3; 0.5)`, `pS33 · 3D · rational`.
+    pub fn display(&self, language: Language) -> String {
+        match self {
+            Self::Empty => String::new(),
+            Self::Number(x) => x.write(),
+            Self::Boolean(value) => boolean(*value, language).to_owned(),
+            Self::Text(text) => text.clone(),
+            Self::Form(form) if form.axes() == 0 => point(form),
+            Self::Form(form) => of_form(form, language),
+            Self::Piecewise(pieces) => {
+                let word = pick(language, "piecewise", "par morceaux");
+                format!("{} · {word}", of_form(pieces.net(), language))
+            }
+            Self::Immersed(lazy) => {
+                let word = pick(language, "not expanded", "non développée");
+                format!("{} · {}D · {word}", lazy.kind(), lazy.host().ambient())
+            }
+            Self::List(items) => list(items, language),
+            Self::Record(entries) => {
+                let entry = |(name, value): &(crate::Words, Self)| {
+                    format!("{}: {}", name.get(language), value.display(language))
+                };
+                entries.iter().map(entry).collect::<Vec<_>>().join(" · ")
+            }
+            Self::Error(failure) => failure.message(language).to_owned(),
+        }
+    }
+
+    /// What it is and, if that is short, its text: how an error speaks of it.
+    pub(crate) fn said(&self, language: Language) -> String {
+        match self {
+            Self::Text(text) if text.chars().count() <= QUOTED => match language {
+                Language::English => format!("the text “{text}”"),
+                Language::French => format!("le texte « {text} »"),
+            },
+            Self::Empty => pick(language, "an empty cell", "une cellule vide").to_owned(),
+            Self::Number(x) => {
+                let text = x.write();
+                if text.len() <= QUOTED { text } else { self.kind(language) }
+            }
+            Self::Boolean(value) => boolean(*value, language).to_owned(),
+            Self::List(items) => match language {
+                Language::English => format!("a list of {}", items.len()),
+                Language::French => format!("une liste de {}", items.len()),
+            },
+            _ => self.kind(language),
+        }
+    }
+}
+
+pub(crate) fn pick(language: Language, en: &'static str, fr: &'static str) -> &'static str {
+    match language {
+        Language::English => en,
+        Language::French => fr,
+    }
+}
+
+fn boolean(value: bool, language: Language) -> &'static str {
+    if value { pick(language, "TRUE", "VRAI") } else { pick(language, "FALSE", "FAUX") }
+}
+
+fn of_form<S: Scalar>(form: &Form<S>, language: Language) -> String {
+    let text = format!("{} · {}D", form.kind(), form.ambient());
+    if form.is_rational() {
+        format!("{text} · {}", pick(language, "rational", "rationnelle"))
+    } else {
+        text
+    }
+}
+
+/// A point as the formula language writes it, the weight set off by a semicolon.
+fn point<S: Arithmetic>(form: &Form<S>) -> String {
+    let (coordinates, weight) = form.homogeneous().split_at(form.ambient());
+    let divide = |x: &S| {
+        if weight[0].is_zero() { x.write() } else { (x.clone() / weight[0].clone()).write() }
+    };
+    let numbers: Vec<String> = coordinates.iter().map(divide).collect();
+    let numbers = numbers.join(", ");
+    if weight[0] != S::one() {
+        format!("({numbers}; {})", weight[0].write())
+    } else if form.ambient() == 1 {
+        format!("({numbers},)")
+    } else {
+        format!("({numbers})")
+    }
+}
+
+fn list<S: Arithmetic>(items: &[Value<S>], language: Language) -> String {
+    let mut shown: Vec<String> =
+        items.iter().take(SHOWN).map(|item| item.display(language)).collect();
+    if items.len() > SHOWN {
+        shown.push(format!("… ({})", items.len()));
+    }
+    format!("[{}]", shown.join(", "))
+}
