@@ -31,6 +31,7 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
     ("pforms", LIBRARIES),
     ("pforms-python", LIBRARIES),
     ("pforms-wasm", LIBRARIES),
+    ("pforms-benches", LIBRARIES),
     ("xtask", LIBRARIES),
 ];
 
