@@ -60,7 +60,7 @@ impl Mentions {
                 }
                 TokenTree::Group(group) => self.tokens(group.stream()),
                 TokenTree::Literal(literal) => {
-                    self.literal(&literal.to_string(), token.span().start().line)
+                    self.literal(&literal.to_string(), token.span().start().line);
                 }
                 _ => {}
             }
