@@ -36,7 +36,7 @@ impl Lexer<'_> {
         let span = Span::new(start, self.offset());
         match self.tokens.last_mut() {
             Some(last) if kind == Kind::Unknown && last.kind == kind && last.span.end == start => {
-                last.span.end = span.end
+                last.span.end = span.end;
             }
             _ => self.tokens.push(Token { kind, span, column }),
         }

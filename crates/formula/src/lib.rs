@@ -14,7 +14,7 @@
 //! let broken = parse("=MIR(A1, ", Locale::DecimalPoint);
 //! let (_, fault) = broken.errors().next().unwrap();
 //! assert_eq!(fault.problem.message(Language::English), "An argument is missing.");
-//! assert_eq!(fault.column, 9);
+//! assert_eq!(fault.column, 8);
 //! ```
 
 mod address;
@@ -23,6 +23,7 @@ mod cell;
 mod convert;
 mod lex;
 mod locale;
+mod number;
 mod operator;
 mod parse;
 mod place;
@@ -40,10 +41,11 @@ pub use caret::{CallContext, Context, at};
 pub use cell::{Content, classify};
 pub use convert::convert;
 pub use locale::{Language, Locale};
+pub use number::{decimal, digits_and_exponent};
 pub use operator::{Operator, Sign};
 pub use parse::{DEPTH_LIMIT, parse};
 pub use place::{Span, byte_from_utf16, utf16_from_byte};
-pub use points::{decimal, point_spans, replace_point};
+pub use points::{point_spans, replace_point};
 pub use print::print;
 pub use problem::{Problem, Sequence};
 pub use reference::{Cells, Range, Reference};

@@ -70,10 +70,10 @@ pub fn rename_reference(source: &str, from: &str, to: &str) -> String {
                 edits.push((node.span, moved.to_string()));
             }
             (Expression::CellRef(cell), Some(old), None) if cell.address == old.address => {
-                edits.push((node.span, to.into()))
+                edits.push((node.span, to.into()));
             }
             (Expression::Name(name), None, _) if same_name(name, from) => {
-                edits.push((node.span, to.into()))
+                edits.push((node.span, to.into()));
             }
             _ => {}
         }

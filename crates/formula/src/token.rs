@@ -48,11 +48,6 @@ pub(crate) struct Token {
 }
 
 impl Token {
-    /// The empty place just before this word.
-    pub(crate) fn before(self) -> Span {
-        Span::new(self.span.start, self.span.start)
-    }
-
     /// Whether an element of a point, a list or a call cannot go on here.
     pub(crate) fn ends_item(self) -> bool {
         matches!(self.kind, Kind::Comma | Kind::Semicolon | Kind::Bar | Kind::Close(_) | Kind::End)

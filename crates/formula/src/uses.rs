@@ -29,13 +29,13 @@ pub fn references(tree: &Tree) -> References {
     for node in tree.nodes() {
         match &node.expression {
             Expression::CellRef(cell) if cells.insert(cell.address) => {
-                found.cells.push(cell.address)
+                found.cells.push(cell.address);
             }
             Expression::Range(range) if ranges.insert((range.columns(), range.rows())) => {
-                found.ranges.push(*range)
+                found.ranges.push(*range);
             }
             Expression::Name(name) if names.insert(name.to_lowercase()) => {
-                found.names.push(name.clone())
+                found.names.push(name.clone());
             }
             _ => {}
         }

@@ -1,40 +1,45 @@
 //! What sources mean, shown as nested words: `(+ 1 (* 2 3))`.
+#![allow(clippy::unwrap_used, reason = "a test may fail")]
 
-use pforms_formula::{Expression, Language, Locale, NodeId, Problem, Tree, parse};
+use pforms_formula::{Argument, Expression, Language, Locale, NodeId, Problem, Tree, parse};
 
 fn shape(tree: &Tree, id: NodeId) -> String {
-    let all =
-        |ids: &[NodeId]| ids.iter().map(|id| format!(" {}", shape(tree, *id))).collect::<String>();
+    let all = |ids: &[NodeId]| {
+        let shapes: Vec<String> = ids.iter().map(|id| shape(tree, *id)).collect();
+        shapes.join(" ")
+    };
     match &tree[id].expression {
         Expression::Number(text) | Expression::Name(text) => text.clone(),
         Expression::Text(text) => format!("{text:?}"),
         Expression::Boolean(value) => value.to_string(),
         Expression::CellRef(cell) => cell.to_string(),
         Expression::Range(range) => range.to_string(),
-        Expression::List(items) => format!("[{}]", all(items).trim_start()),
+        Expression::List(items) => format!("[{}]", all(items)),
         Expression::Unary { sign, operand } => {
             format!("({} {})", sign.symbol(), shape(tree, *operand))
         }
         Expression::Binary { operator, left, right } => {
-            format!("({}{})", operator.symbol(), all(&[*left, *right]))
+            format!("({} {})", operator.symbol(), all(&[*left, *right]))
         }
         Expression::Point { coordinates, weight } => {
             let weight = weight.map_or(String::new(), |w| format!("; {}", shape(tree, w)));
-            format!("(point{}{weight})", all(coordinates))
+            format!("(point {}{weight})", all(coordinates))
         }
         Expression::Call(call) => {
-            let argument = |a: &pforms_formula::Argument| {
-                let keyword = a.keyword.as_ref().map_or(String::new(), |k| format!("{k}:"));
-                format!(" {keyword}{}", shape(tree, a.value))
-            };
-            format!("({}!{})", call.name, call.arguments.iter().map(argument).collect::<String>())
+            let arguments: Vec<String> = call.arguments.iter().map(|a| argument(tree, a)).collect();
+            format!("({}!{})", call.name, arguments.concat())
         }
         Expression::Error(fault) => {
             let name = format!("{:?}", fault.problem);
-            let name = name.split(['(', ' ']).next().unwrap_or_default().to_owned();
-            format!("<{name}{}>", all(&fault.parts))
+            let name = name.split(['(', '{', ' ']).next().unwrap_or_default().to_owned();
+            format!("<{}>", format!("{name} {}", all(&fault.parts)).trim_end())
         }
     }
+}
+
+fn argument(tree: &Tree, argument: &Argument) -> String {
+    let keyword = argument.keyword.as_ref().map_or(String::new(), |keyword| format!("{keyword}:"));
+    format!(" {keyword}{}", shape(tree, argument.value))
 }
 
 fn check(locale: Locale, cases: &[(&str, &str)]) {
@@ -132,6 +137,8 @@ fn faults_keep_what_was_understood() {
             ("F(1,,2,)", "(F! 1 <MissingItem> 2 <MissingItem>)"),
             ("(1,2,)", "(point 1 2 <MissingItem>)"),
             ("()", "<EmptyBrackets>"),
+            ("(,1)", "(point <MissingItem> 1)"),
+            ("(;1)", "(point <MissingItem>; 1)"),
             ("F(1, [2, 3)", "(F! 1 <Unclosed [2 3]>)"),
             ("(1, 2]", "<Mismatched (point 1 2)>"),
             ("1)+2, 3", "<Unopened 1 (+ 2) 3>"),

@@ -1,5 +1,6 @@
 //! Laws that hold for every source.
 #![cfg(not(target_arch = "wasm32"))]
+#![allow(clippy::unwrap_used, reason = "a test may fail")]
 
 use pforms_formula::{
     Content, Expression, Language, Locale, Tree, at, classify, convert, map_references, parse,
@@ -91,7 +92,7 @@ fn assert_sane(tree: &Tree) {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(400))]
+    #![proptest_config(ProptestConfig { cases: 400, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
     fn any_text_has_a_sane_tree(source in any_source()) {

@@ -17,15 +17,16 @@ impl Parser<'_> {
         let mut coordinates = Vec::new();
         let mut lone = true;
         loop {
-            let empty =
-                if lone { Problem::EmptyBrackets } else { Problem::MissingItem(Sequence::Point) };
-            coordinates.push(self.item_or(empty));
+            let empty = lone && self.at_closing();
+            let missing =
+                if empty { Problem::EmptyBrackets } else { Problem::MissingItem(Sequence::Point) };
+            coordinates.push(self.item_or(missing));
             if !self.at_separator() {
                 break;
             }
             self.advance();
             lone = false;
-            if coordinates.len() == 1 && matches!(self.peek().kind, Kind::Close(_) | Kind::End) {
+            if coordinates.len() == 1 && self.at_closing() {
                 break;
             }
         }
@@ -40,7 +41,7 @@ impl Parser<'_> {
 
     /// The weight after its mark, if there is one; whatever comes after it is an error.
     fn weight(&mut self) -> Option<NodeId> {
-        if matches!(self.peek().kind, Kind::Close(_) | Kind::End) {
+        if self.at_closing() {
             return None;
         }
         self.advance();
@@ -56,7 +57,7 @@ impl Parser<'_> {
         if self.peek() == extra {
             return Some(weight);
         }
-        Some(self.fault(Problem::AfterWeight, extra, extra.span, parts))
+        Some(self.fault(Problem::AfterWeight, extra.column, extra.span, parts))
     }
 
     /// `[a, b, …]`.
@@ -84,7 +85,7 @@ impl Parser<'_> {
         let call = Call { name: name.into(), name_span: head.span, arguments };
         let mut id = self.push(Expression::Call(call), head.span.start);
         if name.contains('$') {
-            id = self.fault(Problem::BadAddress(name.into()), head, head.span, vec![id]);
+            id = self.fault(Problem::BadAddress(name.into()), head.column, head.span, vec![id]);
         }
         self.closed(problem, open, id)
     }
@@ -108,7 +109,7 @@ impl Parser<'_> {
 
     /// Elements between separators until the bracket closes; none at all if it closes at once.
     fn sequence(&mut self, mut element: impl FnMut(&mut Self)) {
-        if matches!(self.peek().kind, Kind::Close(_) | Kind::End) {
+        if self.at_closing() {
             return;
         }
         element(self);
@@ -131,7 +132,7 @@ impl Parser<'_> {
                 parts.push(self.item());
             }
         }
-        self.fault(Problem::MisplacedWeight, mark, mark.span, parts)
+        self.fault(Problem::MisplacedWeight, mark.column, mark.span, parts)
     }
 
     fn item_or(&mut self, missing: Problem) -> NodeId {
@@ -145,6 +146,10 @@ impl Parser<'_> {
             Kind::Semicolon => self.locale == Locale::DecimalComma,
             _ => false,
         }
+    }
+
+    fn at_closing(&self) -> bool {
+        matches!(self.peek().kind, Kind::Close(_) | Kind::End)
     }
 
     fn enter(&mut self, bracket: Bracket) -> Token {
@@ -171,7 +176,7 @@ impl Parser<'_> {
 
     fn closed(&mut self, problem: Option<Problem>, open: Token, inside: NodeId) -> NodeId {
         match problem {
-            Some(problem) => self.fault(problem, open, open.span, vec![inside]),
+            Some(problem) => self.fault(problem, open.column, open.span, vec![inside]),
             None => inside,
         }
     }

@@ -70,7 +70,7 @@ impl<'a> Parser<'a> {
                 parts.push(self.item());
             }
         }
-        self.fault(problem, stop, stop.span, parts)
+        self.fault(problem, stop.column, stop.span, parts)
     }
 
     /// One element, up to a separator, a closing bracket or the end. Must not stand at one of these.
@@ -88,7 +88,7 @@ impl<'a> Parser<'a> {
         while !self.peek().ends_item() {
             parts.push(self.expression(LOOSEST));
         }
-        self.fault(problem, stop, stop.span, parts)
+        self.fault(problem, stop.column, stop.span, parts)
     }
 
     /// An operand and all operators after it that are at least so strong.
@@ -97,8 +97,9 @@ impl<'a> Parser<'a> {
             return self.too_deep();
         }
         self.depth += 1;
-        let start = self.peek().span.start;
+        let first = self.peek().span.start;
         let mut left = self.operand();
+        let start = first.min(self.nodes[left.index()].span.start);
         while let Kind::Operator(operator) = self.peek().kind {
             if operator.strength() < strength {
                 break;
@@ -124,7 +125,7 @@ impl<'a> Parser<'a> {
             Kind::Unknown | Kind::Colon => {
                 self.advance();
                 let problem = Problem::Unexpected(self.word(token).into());
-                self.fault(problem, token, token.span, Vec::new())
+                self.fault(problem, token.column, token.span, Vec::new())
             }
             _ => self.missing(Problem::MissingOperand),
         }
@@ -152,7 +153,7 @@ impl<'a> Parser<'a> {
             self.advance();
         }
         let place = Span::new(start.span.start, self.end());
-        self.fault(Problem::TooDeep(DEPTH_LIMIT), start, place, Vec::new())
+        self.fault(Problem::TooDeep(DEPTH_LIMIT), start.column, place, Vec::new())
     }
 
     fn peek(&self) -> Token {
@@ -197,18 +198,27 @@ impl<'a> Parser<'a> {
         Tree::id(self.nodes.len() - 1)
     }
 
-    /// An error for something that should stand before the next word.
+    /// An error for something that should stand after the last word taken.
     fn missing(&mut self, problem: Problem) -> NodeId {
-        let token = self.peek();
-        self.fault(problem, token, token.before(), Vec::new())
+        let end = self.end();
+        let last = self.next.checked_sub(1).map(|index| self.tokens[index]);
+        let after = |token: Token| token.column + self.word(token).chars().count();
+        let column = last.map_or(self.peek().column, after);
+        self.fault(problem, column, Span::new(end, end), Vec::new())
     }
 
-    /// An error at `place`, whose column is that of `token`, holding the parts that were understood.
-    fn fault(&mut self, problem: Problem, token: Token, place: Span, parts: Vec<NodeId>) -> NodeId {
+    /// An error at `place`, which begins in that column, holding the parts that were understood.
+    fn fault(
+        &mut self,
+        problem: Problem,
+        column: usize,
+        place: Span,
+        parts: Vec<NodeId>,
+    ) -> NodeId {
         let held = |id: &NodeId| self.nodes[id.index()].span.start;
         let start = parts.first().map_or(place.start, held).min(place.start);
         let end = if parts.is_empty() { place.end } else { self.end().max(place.end) };
-        let fault = Fault { problem, place, column: token.column, parts };
+        let fault = Fault { problem, place, column, parts };
         self.push_at(Expression::Error(fault), Span::new(start, end))
     }
 }

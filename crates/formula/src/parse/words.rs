@@ -16,7 +16,7 @@ impl Parser<'_> {
         if closed {
             return text;
         }
-        self.fault(Problem::UnclosedText, token, token.span, vec![text])
+        self.fault(Problem::UnclosedText, token.column, token.span, vec![text])
     }
 
     /// A call, a truth value, a cell, a range or a name.
@@ -47,7 +47,7 @@ impl Parser<'_> {
         let span = Span::new(start.span.start, self.end());
         let Some(corner) = corner else {
             let cell = self.push_at(Expression::CellRef(first), start.span);
-            return self.fault(Problem::RangeEnd, start, span, vec![cell]);
+            return self.fault(Problem::RangeEnd, start.column, span, vec![cell]);
         };
         self.advance();
         self.checked(Expression::Range(Range { first, last: corner }), start)
@@ -64,14 +64,14 @@ impl Parser<'_> {
         let word = span.of(self.source);
         if self.literal && !is_pi(word) {
             let problem = Problem::ReferenceInLiteral(word.into());
-            return self.fault(problem, start, span, Vec::new());
+            return self.fault(problem, start.column, span, Vec::new());
         }
         self.push_at(expression, span)
     }
 
     fn refused(&mut self, problem: Problem) -> NodeId {
         let token = self.advance();
-        self.fault(problem, token, token.span, Vec::new())
+        self.fault(problem, token.column, token.span, Vec::new())
     }
 }
 
