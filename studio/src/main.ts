@@ -1,0 +1,21 @@
+import "./style/index.css";
+import { EngineClient, type Port } from "./engine/client";
+import { preferredLanguage, setLanguage } from "./i18n";
+import { lastSheet } from "./keep";
+import { figure } from "./panels/gallery";
+import { Studio } from "./studio";
+
+/** The sheet that a first visit opens. */
+const FIRST = "octant";
+
+async function start(): Promise<void> {
+  const kept = localStorage.getItem("pforms.language");
+  setLanguage(preferredLanguage(kept ? [kept] : navigator.languages));
+  const spawn = (): Port => new Worker(new URL("./engine/worker.ts", import.meta.url), { type: "module" });
+  const studio = new Studio(new EngineClient(spawn));
+  document.getElementById("studio")?.replaceWith(studio.root);
+  const sheet = await lastSheet().catch(() => null);
+  await studio.begin(sheet?.text ?? null, figure(FIRST)?.text ?? "pfs = 1\n");
+}
+
+void start();

@@ -1,0 +1,113 @@
+import { el, fill } from "../dom";
+import type { CellInfo, DrawMode, Style } from "../engine/protocol";
+import { localised, type Phrase, t } from "../i18n";
+import type { Session } from "../session";
+import { check, colorField, nameField, slider } from "./fields";
+import { defaultStyle } from "./styles";
+
+/** What can be seen and set of the selected cell: notes, value, style, cost. */
+export class Inspector {
+  readonly root = el("section", { class: "inspector" });
+  private shown = "";
+
+  constructor(private readonly session: Session) {
+    const { store } = session;
+    store.on("selection", () => this.show());
+    store.on("cells", () => this.show());
+    localised(() => {
+      this.root.setAttribute("aria-label", t("style"));
+      this.shown = "";
+      this.show();
+    });
+  }
+
+  /** Writes the panel anew, unless nothing it shows has changed: a field in use must not lose the focus. */
+  private show(): void {
+    const { store } = this.session;
+    const cell = store.selected;
+    const note = store.notes.find((one) => one.cell === store.address)?.text ?? "";
+    const state = JSON.stringify([store.address, cell ?? null, note]);
+    if (state === this.shown) return;
+    const focused = (document.activeElement as HTMLElement | null)?.dataset["field"];
+    this.shown = state;
+    fill(
+      this.root,
+      this.header(cell),
+      note ? el("p", { class: "note" }, note) : null,
+      cell ? this.styleOf(cell) : null,
+    );
+    if (focused) this.root.querySelector<HTMLElement>(`[data-field="${focused}"]`)?.focus();
+  }
+
+  private header(cell: CellInfo | undefined): HTMLElement {
+    const { address } = this.session.store;
+    return el(
+      "header",
+      {},
+      el("h2", {}, address),
+      cell ? el("span", { class: cell.error ? "kind wrong" : "kind" }, cell.kind) : el("span", { class: "muted" }, t("emptyCell")),
+      cell && !cell.error ? el("span", { class: "value", title: cell.text }, cell.text) : el("span", { class: "value" }),
+      cell ? nameField(cell.name ?? "", (name) => void this.session.change("setName", address, name || null)) : null,
+      cell?.cost ? costs(cell) : null,
+    );
+  }
+
+  private styleOf(cell: CellInfo): HTMLElement | null {
+    if (cell.modes.length === 0) return cell.error ? null : el("p", { class: "muted" }, t("styleNone"));
+    const style = cell.style;
+    const shown = check("show", t("show"), style !== null, (on) => this.send(cell, on ? defaultStyle(cell) : null));
+    shown.classList.add("switch");
+    const ways = el("div", { class: "ways" }, shown, ...cell.modes.map((mode) => this.way(cell, mode)));
+    return el("div", { class: "style" }, ways, style ? this.details(cell, style) : null);
+  }
+
+  private way(cell: CellInfo, mode: DrawMode): HTMLElement {
+    const on = cell.style?.draw.includes(mode) ?? false;
+    return check(mode, t(mode), on, (next) => {
+      const base = cell.style ?? { ...defaultStyle(cell), draw: [] };
+      const draw = next ? [...base.draw, mode] : base.draw.filter((other) => other !== mode);
+      this.send(cell, draw.length > 0 ? { ...base, draw } : null);
+    });
+  }
+
+  private details(cell: CellInfo, style: Style): HTMLElement {
+    const set = (part: Partial<Style>): void => this.send(cell, { ...style, ...part });
+    const has = (...modes: DrawMode[]): boolean => modes.some((mode) => style.draw.includes(mode));
+    const fineness = Array.isArray(style.fineness) ? Math.max(...style.fineness) : style.fineness;
+    const filled = has("surface", "envelope", "sheets");
+    return el(
+      "div",
+      { class: "details" },
+      colorField(style.color, (color) => set({ color })),
+      slider("opacity", style.opacity, 0.05, 1, 0.05, (opacity) => set({ opacity })),
+      slider("fineness", fineness, 0, 8, 1, (value) => set({ fineness: value })),
+      has("points", "curve", "fibres", "net")
+        ? slider("radius", style.radius, 0.002, 0.08, 0.001, (radius) => set({ radius }))
+        : null,
+      has("sheets", "fibres") ? slider("count", style.count, 2, 24, 1, (count) => set({ count })) : null,
+      filled ? shading(style.shading, (value) => set({ shading: value })) : null,
+    );
+  }
+
+  private send(cell: CellInfo, style: Style | null): void {
+    void this.session.setStyle(cell.address, style);
+  }
+}
+
+function costs(cell: CellInfo): HTMLElement {
+  const parts: [Phrase, string][] = [
+    ["time", cell.cost?.time ?? ""],
+    ["orders", cell.cost?.orders ?? ""],
+    ["bytes", cell.cost?.bytes ?? ""],
+  ];
+  const shown = parts.filter(([, text]) => text !== "");
+  return el(
+    "span",
+    { class: "costs", title: t("cost") },
+    ...shown.map(([phrase, text]) => el("span", { title: t(phrase) }, text)),
+  );
+}
+
+function shading(now: Style["shading"], set: (value: Style["shading"]) => void): HTMLElement {
+  return check("smooth", t("smooth"), now === "smooth", (on) => set(on ? "smooth" : "flat"));
+}

@@ -1,0 +1,65 @@
+import { el, fill } from "../dom";
+import type { CellInfo } from "../engine/protocol";
+import { t } from "../i18n";
+
+/** Kinds whose value is read as it stands; the others are forms, shown by their kind and their source. */
+const PLAIN = new Set(["number", "text", "bool", "empty"]);
+
+/** Longest text put into a cell: what does not fit the column cannot be seen anyway. */
+const SHOWN = 120;
+
+/** Writes one cell of the table. */
+export function paintCell(cell: HTMLTableCellElement, info: CellInfo | undefined, draft: string | null): void {
+  cell.className = "";
+  cell.removeAttribute("title");
+  if (draft !== null) {
+    cell.className = "draft";
+    fill(cell, el("span", { class: "text" }, draft.slice(0, SHOWN)));
+    return;
+  }
+  if (!info) {
+    fill(cell);
+    return;
+  }
+  if (info.error) paintError(cell, info);
+  else if (PLAIN.has(info.kind)) paintPlain(cell, info);
+  else paintForm(cell, info);
+  if (info.cost) cell.append(el("span", { class: "cell-cost" }, `${info.cost.time} · ${info.cost.bytes}`));
+}
+
+function paintPlain(cell: HTMLTableCellElement, info: CellInfo): void {
+  cell.className = info.kind;
+  cell.title = info.source.slice(0, SHOWN);
+  fill(cell, el("span", { class: "text" }, info.text.slice(0, SHOWN)));
+}
+
+function paintForm(cell: HTMLTableCellElement, info: CellInfo): void {
+  cell.className = "form";
+  cell.title = `${info.kind}  ${info.text}`.slice(0, 3 * SHOWN);
+  fill(
+    cell,
+    dot(info),
+    el("span", { class: "kind" }, info.kind),
+    el("span", { class: "text" }, info.source.slice(0, SHOWN)),
+  );
+}
+
+function paintError(cell: HTMLTableCellElement, info: CellInfo): void {
+  cell.className = "error";
+  cell.title = [info.error?.message, info.error?.hint].filter(Boolean).join("\n");
+  fill(
+    cell,
+    el("span", { class: "kind", aria: { hidden: "true" } }, "!"),
+    el("span", { class: "text" }, (info.error?.message ?? "").slice(0, SHOWN)),
+  );
+}
+
+function dot(info: CellInfo): HTMLElement | null {
+  if (info.modes.length === 0) return null;
+  const mark = el("span", { class: info.style ? "dot on" : "dot", title: t("toggleDraw", { address: info.address }) });
+  if (info.style) {
+    mark.style.setProperty("--dot", info.style.color);
+    mark.append(el("span", { class: "hidden" }, t("drawn")));
+  }
+  return mark;
+}

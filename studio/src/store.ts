@@ -1,0 +1,125 @@
+import { addressOf, type Block, blockOf, type Place, placeOf } from "./sheet/address";
+import type { Address, Camera, CellInfo, Drawing, Note, Poles, Update } from "./engine/protocol";
+
+export interface Topics {
+  /** Cells whose contents changed; null when all did. */
+  cells: ReadonlySet<Address> | null;
+  drawings: ReadonlySet<Address> | null;
+  poles: undefined;
+  selection: undefined;
+  history: undefined;
+  title: undefined;
+  camera: Camera;
+}
+
+type Listener<K extends keyof Topics> = (value: Topics[K]) => void;
+
+/** What the page knows of the sheet: a copy of what the kernel last said, and the selection. */
+export class Store {
+  readonly cells = new Map<Address, CellInfo>();
+  readonly drawings = new Map<Address, Drawing>();
+  readonly poles = new Map<Address, Poles>();
+  notes: Note[] = [];
+  title = "";
+  canUndo = false;
+  canRedo = false;
+  anchor: Place = { column: 0, row: 0 };
+  focus: Place = { column: 0, row: 0 };
+  private readonly listeners = new Map<keyof Topics, Set<Listener<never>>>();
+
+  on<K extends keyof Topics>(topic: K, listener: Listener<K>): void {
+    const known = this.listeners.get(topic) ?? new Set();
+    known.add(listener as Listener<never>);
+    this.listeners.set(topic, known);
+  }
+
+  private tell<K extends keyof Topics>(topic: K, value: Topics[K]): void {
+    for (const listener of this.listeners.get(topic) ?? []) (listener as Listener<K>)(value);
+  }
+
+  get address(): Address {
+    return addressOf(this.focus);
+  }
+
+  get selected(): CellInfo | undefined {
+    return this.cells.get(this.address);
+  }
+
+  get block(): Block {
+    return blockOf(this.anchor, this.focus);
+  }
+
+  /** Moves the selection; `anchor` stays where it is when the selection is extended. */
+  select(focus: Place, extend = false): void {
+    this.focus = focus;
+    if (!extend) this.anchor = focus;
+    this.tell("selection", undefined);
+  }
+
+  /** Takes in what the kernel says has changed. */
+  apply(update: Update): void {
+    if (update.whole) {
+      this.cells.clear();
+      this.drawings.clear();
+      this.poles.clear();
+    }
+    const touched = this.applyCells(update);
+    const drawn = this.applyDrawings(update);
+    for (const poles of update.poles) this.poles.set(poles.address, poles);
+    this.applyHeader(update);
+    this.tell("cells", update.whole ? null : touched);
+    if (update.whole || drawn.size > 0) this.tell("drawings", update.whole ? null : drawn);
+    this.tell("poles", undefined);
+    if (update.camera) this.tell("camera", update.camera);
+  }
+
+  private applyCells(update: Update): Set<Address> {
+    const touched = new Set<Address>(update.removed);
+    for (const address of update.removed) {
+      this.cells.delete(address);
+      this.poles.delete(address);
+    }
+    for (const cell of update.cells) {
+      this.cells.set(cell.address, cell);
+      this.poles.delete(cell.address);
+      touched.add(cell.address);
+    }
+    return touched;
+  }
+
+  private applyDrawings(update: Update): Set<Address> {
+    const drawn = new Set<Address>();
+    for (const address of [...update.hidden, ...update.removed]) {
+      if (this.drawings.delete(address)) drawn.add(address);
+    }
+    for (const drawing of update.drawings) {
+      this.drawings.set(drawing.address, drawing);
+      drawn.add(drawing.address);
+    }
+    return drawn;
+  }
+
+  private applyHeader(update: Update): void {
+    if (update.title !== this.title || update.whole) {
+      this.title = update.title;
+      this.tell("title", undefined);
+    }
+    if (update.notes) this.notes = update.notes;
+    this.canUndo = update.canUndo;
+    this.canRedo = update.canRedo;
+    this.tell("history", undefined);
+  }
+
+  /** The size of the filled part of the sheet. */
+  extent(): { columns: number; rows: number } {
+    let columns = 0;
+    let rows = 0;
+    for (const address of this.cells.keys()) {
+      const place = placeOf(address);
+      if (!place) continue;
+      columns = Math.max(columns, place.column + 1);
+      rows = Math.max(rows, place.row + 1);
+    }
+    return { columns, rows };
+  }
+}

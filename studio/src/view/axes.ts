@@ -1,0 +1,57 @@
+import {
+  CanvasTexture,
+  Group,
+  Sprite,
+  SpriteMaterial,
+  SRGBColorSpace,
+} from "three";
+import { LineMaterial } from "three/examples/jsm/lines/LineMaterial.js";
+import { LineSegments2 } from "three/examples/jsm/lines/LineSegments2.js";
+import { LineSegmentsGeometry } from "three/examples/jsm/lines/LineSegmentsGeometry.js";
+
+const AXES = [
+  { name: "x", color: "#d3463a", end: [1, 0, 0] },
+  { name: "y", color: "#3d9a4e", end: [0, 1, 0] },
+  { name: "z", color: "#3f6fd1", end: [0, 0, 1] },
+] as const;
+
+/** The half-length of the axes when the scene has unit size. */
+const LENGTH = 1.35;
+
+/** Ox red, Oy green, Oz blue, with their names at the positive ends. The negative halves are faint. */
+export function makeAxes(): Group {
+  const group = new Group();
+  for (const axis of AXES) {
+    const [x, y, z] = axis.end;
+    group.add(ray([x * LENGTH, y * LENGTH, z * LENGTH], axis.color, 1));
+    group.add(ray([-x * LENGTH, -y * LENGTH, -z * LENGTH], axis.color, 0.35));
+    const name = label(axis.name, axis.color);
+    name.position.set(x, y, z).multiplyScalar(LENGTH * 1.06);
+    group.add(name);
+  }
+  return group;
+}
+
+function ray(end: [number, number, number], color: string, opacity: number): LineSegments2 {
+  const geometry = new LineSegmentsGeometry().setPositions([0, 0, 0, ...end]);
+  return new LineSegments2(geometry, new LineMaterial({ color, opacity, transparent: opacity < 1, linewidth: 1.6 }));
+}
+
+function label(text: string, color: string): Sprite {
+  const canvas = document.createElement("canvas");
+  canvas.width = canvas.height = 64;
+  const pen = canvas.getContext("2d");
+  if (pen) {
+    pen.font = "italic 600 44px 'Inter', sans-serif";
+    pen.textAlign = "center";
+    pen.textBaseline = "middle";
+    pen.fillStyle = color;
+    pen.fillText(text, 32, 32);
+  }
+  const map = new CanvasTexture(canvas);
+  map.colorSpace = SRGBColorSpace;
+  const material = new SpriteMaterial({ map, sizeAttenuation: false, depthTest: false });
+  const sprite = new Sprite(material);
+  sprite.scale.setScalar(0.034);
+  return sprite;
+}

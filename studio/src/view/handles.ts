@@ -1,0 +1,127 @@
+import {
+  BufferGeometry,
+  CanvasTexture,
+  Float32BufferAttribute,
+  Group,
+  LineBasicMaterial,
+  LineSegments,
+  Points,
+  PointsMaterial,
+  Vector3,
+} from "three";
+import type { Address, Pole, Poles } from "../engine/protocol";
+import type { Store } from "../store";
+import { netEdges, toScreenSpace } from "./space";
+
+/** A pole that can be dragged, and where it is in screen space. */
+export interface Handle {
+  address: Address;
+  pole: Pole;
+  at: Vector3;
+}
+
+/** With more poles than this, only those of the selected cell get handles. */
+export const MANY_POLES = 80;
+
+/** The cells whose poles are shown: all literal ones that are few enough, else the selected one. */
+export function handledCells(poles: Iterable<Poles>, selected: Address): Poles[] {
+  const all = [...poles];
+  const total = all.reduce((sum, net) => sum + net.poles.length, 0);
+  return total <= MANY_POLES ? all : all.filter((net) => net.address === selected);
+}
+
+/** Dots at the poles of literal cells, and the control net of the selected cell. */
+export class Handles {
+  readonly group = new Group();
+  private handles: Handle[] = [];
+  private readonly texture = new CanvasTexture(disc());
+  private ink = "#22252a";
+  private accent = "#1f6f78";
+
+  constructor(private readonly store: Store) {}
+
+  get all(): readonly Handle[] {
+    return this.handles;
+  }
+
+  setColors(ink: string, accent: string): void {
+    this.ink = ink;
+    this.accent = accent;
+    this.rebuild();
+  }
+
+  /** Makes all dots anew, from what the store holds. */
+  rebuild(): void {
+    const selected = this.store.address;
+    this.clear();
+    for (const net of handledCells(this.store.poles.values(), selected)) {
+      const own = net.address === selected;
+      const handles = net.poles.flatMap((pole) =>
+        pole.position ? [{ address: net.address, pole, at: toScreenSpace(pole.position) }] : [],
+      );
+      this.handles.push(...handles);
+      this.addDots(handles.map((handle) => handle.at), own ? this.accent : this.ink, own ? 13 : 10);
+      if (own) this.addNet(net);
+    }
+    const first = (handle: Handle): number => (handle.address === selected ? 0 : 1);
+    this.handles.sort((a, b) => first(a) - first(b));
+  }
+
+  private clear(): void {
+    this.handles = [];
+    for (const part of this.group.children) {
+      const drawn = part as Points | LineSegments;
+      drawn.geometry.dispose();
+      (drawn.material as PointsMaterial | LineBasicMaterial).dispose();
+    }
+    this.group.clear();
+  }
+
+  /** Full where the dot is seen, faint where a form hides it. */
+  private addDots(places: Vector3[], color: string, size: number): void {
+    const scale = Math.min(window.devicePixelRatio, 2);
+    for (const hidden of [true, false]) {
+      const material = new PointsMaterial({
+        color,
+        size: size * scale,
+        sizeAttenuation: false,
+        map: this.texture,
+        alphaTest: 0.05,
+        transparent: true,
+        opacity: hidden ? 0.3 : 1,
+        depthTest: !hidden,
+        depthWrite: false,
+      });
+      const dots = new Points(new BufferGeometry().setFromPoints(places), material);
+      dots.renderOrder = hidden ? 10 : 11;
+      this.group.add(dots);
+    }
+  }
+
+  private addNet(net: Poles): void {
+    const corners: number[] = [];
+    for (const [a, b] of netEdges(net.orders)) {
+      const from = net.poles[a]?.position;
+      const to = net.poles[b]?.position;
+      if (from && to) corners.push(...toScreenSpace(from).toArray(), ...toScreenSpace(to).toArray());
+    }
+    const geometry = new BufferGeometry();
+    geometry.setAttribute("position", new Float32BufferAttribute(corners, 3));
+    const material = new LineBasicMaterial({ color: this.accent, opacity: 0.6, transparent: true });
+    this.group.add(new LineSegments(geometry, material));
+  }
+}
+
+/** A white ring around a disc that takes the colour of the material. */
+function disc(): HTMLCanvasElement {
+  const canvas = document.createElement("canvas");
+  canvas.width = canvas.height = 64;
+  const pen = canvas.getContext("2d");
+  if (pen) {
+    pen.beginPath();
+    pen.arc(32, 32, 26, 0, 2 * Math.PI);
+    pen.fillStyle = "#ffffff";
+    pen.fill();
+  }
+  return canvas;
+}

@@ -1,0 +1,142 @@
+import {
+  Box3,
+  Color,
+  DirectionalLight,
+  Group,
+  HemisphereLight,
+  NoToneMapping,
+  Raycaster,
+  Scene,
+  type Vector2,
+  WebGLRenderer,
+} from "three";
+import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
+import type { Drawing } from "../engine/protocol";
+import { makeAxes } from "./axes";
+import { Cameras } from "./cameras";
+import { dispose, makeDrawing } from "./drawings";
+
+/** The three.js scene: drawings of cells, axes, lights, cameras. Draws only when something changed. */
+export class Stage {
+  readonly cameras = new Cameras();
+  readonly controls: OrbitControls;
+  /** Holds everything in the book's coordinates; its mirror makes them right-handed. */
+  readonly world = new Group();
+  /** Holds what is placed in screen space. */
+  readonly overlay = new Group();
+  private readonly renderer: WebGLRenderer;
+  private readonly scene = new Scene();
+  private readonly axes = makeAxes();
+  private readonly drawings = new Map<string, Group>();
+  private readonly lamp = new Group();
+  private readonly key = new DirectionalLight("#ffffff", 2.1);
+  private readonly fill = new DirectionalLight("#e6ecff", 0.55);
+  private pending = false;
+
+  constructor(private readonly canvas: HTMLCanvasElement) {
+    this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: false });
+    this.renderer.toneMapping = NoToneMapping;
+    this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
+    this.world.scale.z = -1;
+    this.world.add(this.axes);
+    this.scene.add(this.world, this.overlay);
+    this.addLights();
+    this.controls = new OrbitControls(this.cameras.active, canvas);
+    this.controls.enableDamping = false;
+    this.controls.target = this.cameras.target;
+    this.controls.addEventListener("change", () => this.invalidate());
+    new ResizeObserver(() => this.resize()).observe(canvas.parentElement ?? canvas);
+    this.resize();
+  }
+
+  /** Asks for a new picture at the next chance. */
+  invalidate(): void {
+    if (this.pending) return;
+    this.pending = true;
+    requestAnimationFrame(() => this.render());
+  }
+
+  setGround(color: string): void {
+    this.scene.background = new Color(color);
+    this.invalidate();
+  }
+
+  showAxes(on: boolean): void {
+    this.axes.visible = on;
+    this.invalidate();
+  }
+
+  put(address: string, drawing: Drawing | undefined): void {
+    const before = this.drawings.get(address);
+    if (before) {
+      this.world.remove(before);
+      dispose(before);
+      this.drawings.delete(address);
+    }
+    if (drawing) {
+      const group = makeDrawing(drawing);
+      this.drawings.set(address, group);
+      this.world.add(group);
+    }
+    this.invalidate();
+  }
+
+  get drawn(): Iterable<string> {
+    return this.drawings.keys();
+  }
+
+  /** The box around everything drawn, in screen space. */
+  bounds(): Box3 {
+    this.world.updateMatrixWorld();
+    const box = new Box3();
+    for (const group of this.drawings.values()) box.expandByObject(group);
+    return box;
+  }
+
+  /** The cell whose drawing is under a place of the picture. */
+  hit(at: Vector2): string | null {
+    const ray = new Raycaster();
+    ray.setFromCamera(at, this.cameras.active);
+    const first = ray.intersectObjects([...this.drawings.values()], true)[0];
+    const address: unknown = first?.object.parent?.userData["address"];
+    return typeof address === "string" ? address : null;
+  }
+
+  /** After the cameras were set by hand. */
+  cameraChanged(): void {
+    this.controls.object = this.cameras.active;
+    this.fitAxes();
+    this.controls.update();
+    this.invalidate();
+  }
+
+  /** Lets the axes reach a little beyond the forms. */
+  private fitAxes(): void {
+    const box = this.bounds();
+    const far = Math.max(...box.min.toArray().map(Math.abs), ...box.max.toArray().map(Math.abs));
+    this.axes.scale.setScalar(box.isEmpty() || far === 0 ? 1 : far);
+  }
+
+  /** The main light comes over the viewer's left shoulder, wherever the viewer goes. */
+  private addLights(): void {
+    this.key.target.position.set(0, 0, -1);
+    this.lamp.add(this.key, this.key.target, this.fill, this.fill.target);
+    this.key.position.set(-1.2, 1.6, 2);
+    this.fill.position.set(2.5, -0.4, 1);
+    this.scene.add(this.lamp, new HemisphereLight("#ffffff", "#c4bcae", 1.15));
+  }
+
+  private resize(): void {
+    const { clientWidth, clientHeight } = this.canvas.parentElement ?? this.canvas;
+    this.renderer.setSize(clientWidth, clientHeight, false);
+    this.cameras.resize(clientWidth, clientHeight);
+    this.invalidate();
+  }
+
+  private render(): void {
+    this.pending = false;
+    this.lamp.quaternion.copy(this.cameras.active.quaternion);
+    this.renderer.render(this.scene, this.cameras.active);
+    this.canvas.dataset["frames"] = String(Number(this.canvas.dataset["frames"] ?? "0") + 1);
+  }
+}
