@@ -1,0 +1,71 @@
+//! The four edges of a patch, sampled so that neighbours agree to the last bit.
+
+use pforms_kernel::{Form, Result};
+
+use crate::space::{project, quadruples, tensor};
+use crate::vector::{Vec3, norm, subtract};
+
+/// Poles of an edge count as one point within this many roundings of the largest coordinate.
+const ROUNDINGS: f64 = 16.0 * f64::EPSILON;
+
+/// An edge of a patch as a curve, in the direction both neighbours agree on.
+#[derive(Clone, Debug)]
+pub(crate) struct Edge {
+    poles: Vec<[f64; 4]>,
+    reversed: bool,
+}
+
+/// What two edges have in common when they are the same curve.
+pub(crate) type Key = Vec<[u64; 4]>;
+
+impl Edge {
+    /// The edge along the free axis of the border where `fixed` is 0 or 1.
+    pub(crate) fn of(form: &Form, fixed: usize, high: bool) -> Self {
+        let (orders, all) = (form.orders(), quadruples(form));
+        let index = if high { orders[fixed] - 1 } else { 0 };
+        let poles: Vec<[f64; 4]> =
+            (0..orders[1 - fixed])
+                .map(|k| {
+                    if fixed == 0 { all[index * orders[1] + k] } else { all[k * orders[1] + index] }
+                })
+                // Adding 0 turns −0 into 0: the same place must have the same bits.
+                .map(|pole| pole.map(|x| x + 0.0))
+                .collect();
+        let backwards: Vec<[f64; 4]> = poles.iter().rev().copied().collect();
+        let reversed = backwards.partial_cmp(&poles).is_some_and(std::cmp::Ordering::is_lt);
+        Self { poles: if reversed { backwards } else { poles }, reversed }
+    }
+
+    /// The bits of the poles: equal for two edges that are one curve run either way.
+    pub(crate) fn key(&self) -> Key {
+        self.poles.iter().map(|pole| pole.map(f64::to_bits)).collect()
+    }
+
+    /// The points at `i / segments`, in the direction of the patch.
+    ///
+    /// An edge whose poles are all one point is that point, whatever the weights.
+    pub(crate) fn points(&self, segments: usize) -> Result<Vec<Vec3>> {
+        if let Some(point) = self.single_point() {
+            return Ok(vec![point; segments + 1]);
+        }
+        let form = Form::from_homogeneous(&[self.poles.len()], 3, self.poles.concat())?;
+        let parameters = crate::space::ticks(segments);
+        let values = tensor(&form, &[&parameters], None)?;
+        let mut points: Vec<Vec3> = quadruples(&values).iter().map(project).collect();
+        if self.reversed {
+            points.reverse();
+        }
+        Ok(points)
+    }
+
+    /// The point an edge has collapsed to, if it has.
+    pub(crate) fn single_point(&self) -> Option<Vec3> {
+        if self.poles.iter().any(|pole| pole[3] == 0.0) {
+            return None;
+        }
+        let first = project(&self.poles[0]);
+        let size = norm(first);
+        let same = |pole| norm(subtract(project(pole), first)) <= ROUNDINGS * size;
+        self.poles.iter().all(same).then_some(first)
+    }
+}
