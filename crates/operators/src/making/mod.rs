@@ -1,0 +1,14 @@
+//! Make forms from data: through given points, or near them.
+
+mod fit;
+mod fit_parameters;
+mod interpolate;
+mod least_squares;
+mod nodes;
+mod twofold;
+mod vandermonde;
+
+pub use fit::{Fit, FitOptions, fit};
+pub use fit_parameters::Parameters;
+pub use interpolate::{interpolate, interpolate_homogeneous};
+pub use nodes::Nodes;

@@ -1,0 +1,1 @@
+//! Ask a form about itself: tangents, normals, frames, curvatures.
