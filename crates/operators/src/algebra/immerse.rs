@@ -54,7 +54,7 @@ pub fn immerse<S: Scalar>(inner: &Form<S>, host: &Form<S>) -> Result<Form<S>> {
     let plan = forecast::<S>(inner.orders(), host.orders(), host.ambient());
     limit::check::<S>("the immersed form", &plan.orders, host.width())?;
     let bases = host_bases(inner, host)?;
-    let polynomial = inner.uniform_weight().and(host.uniform_weight());
+    let polynomial = constant_weight(inner, host);
     let components = host.width() - usize::from(polynomial.is_some());
     let poles = host.homogeneous().chunks_exact(host.width());
     let mut level: Vec<Scaled<S>> =
@@ -70,7 +70,7 @@ pub fn immerse<S: Scalar>(inner: &Form<S>, host: &Form<S>) -> Result<Form<S>> {
         Some(weight) => {
             let ones = Scaled::one(result.degrees())?;
             let form = result.beside(&ones).into_form()?;
-            Ok(form.with_uniform_weight(weight))
+            Ok(form.with_uniform_weight(&weight))
         }
     }
 }
@@ -124,9 +124,17 @@ pub(super) fn require_fit<S: Scalar>(inner: &Form<S>, host: &Form<S>) -> Result<
     ))
 }
 
+/// The weight `w·v^degree` of the result when the host has the constant weight `w` and the inner
+/// form `v`: polynomial in polynomial is polynomial, to the bit.
+fn constant_weight<S: Scalar>(inner: &Form<S>, host: &Form<S>) -> Option<S> {
+    let degree = host.degrees().iter().sum();
+    let factor = inner.uniform_weight()?.power(degree);
+    Some(host.uniform_weight()?.clone() * factor)
+}
+
 /// For each host axis, the polynomials `C(n, i)·X^i·(W − X)^{n−i}`, `i = 0 … n`.
 fn host_bases<S: Scalar>(inner: &Form<S>, host: &Form<S>) -> Result<Vec<Vec<Scaled<S>>>> {
-    let all = Scaled::from_form(&normalised(inner)?);
+    let all = Scaled::from_form(inner);
     let weight = all.component(inner.ambient());
     (0..host.axes())
         .map(|axis| {
@@ -136,20 +144,6 @@ fn host_bases<S: Scalar>(inner: &Form<S>, host: &Form<S>) -> Result<Vec<Vec<Scal
             bernstein_basis(degree, &powers(&rest, degree)?, &powers(&x, degree)?)
         })
         .collect()
-}
-
-/// A polynomial form written with weight 1.
-fn normalised<S: Scalar>(form: &Form<S>) -> Result<Form<S>> {
-    match form.uniform_weight() {
-        Some(weight) if *weight != S::one() && !weight.is_zero() => {
-            let scale = S::one() / weight.clone();
-            let poles = form.homogeneous().iter();
-            let scaled = poles.map(|x| x.clone() * scale.clone()).collect();
-            let form = Form::from_homogeneous(form.orders(), form.ambient(), scaled)?;
-            Ok(form.with_uniform_weight(&S::one()))
-        }
-        _ => Ok(form.clone()),
-    }
 }
 
 /// `1, x, x², …, x^last`.
