@@ -54,6 +54,7 @@ pub trait Scalar:
     fn is_finite(&self) -> bool;
 
     /// `self` to a whole power; `0⁰ = 1`.
+    #[must_use]
     fn power(&self, exponent: usize) -> Self {
         let mut result = Self::one();
         let mut square = self.clone();

@@ -2,6 +2,8 @@
 //! arithmetic, with `==`.
 #![allow(clippy::unwrap_used, reason = "a test stops at the first surprise")]
 
+use std::slice;
+
 use pforms_kernel::{Error, Form, Rational, Scalar, Scaled, limit};
 use pforms_operators::{
     Immersed, diagonal, elevate, forecast, immerse, immerse_points, polyline, segment, stack,
@@ -248,7 +250,7 @@ fn tiles_meet_at_their_faces() {
         for column in 0..2 {
             let left = &copies[2 * row + column];
             let right = &copies[2 * (row + 1) + column];
-            assert_eq!(left.at(&[one.clone()]), right.at(&[zero.clone()]));
+            assert_eq!(left.at(slice::from_ref(&one)), right.at(slice::from_ref(&zero)));
         }
     }
 }
@@ -258,7 +260,7 @@ fn polylines_and_pointwise_images() {
     let mut random = Random::new(5);
     let host: Exact = random.form(&[3, 3], 2, Weights::Positive);
     let corners = [[0, 0], [1, 0], [1, 1]].map(|pair| pair.map(integer));
-    let points: Vec<&[Rational]> = corners.iter().map(|pair| pair.as_slice()).collect();
+    let points: Vec<&[Rational]> = corners.iter().map(<[Rational; 2]>::as_slice).collect();
     let sides = polyline(&host, &points).unwrap();
     assert_eq!(sides.len(), 2);
     assert_eq!(sides[0].at(&[integer(1)]), sides[1].at(&[integer(0)]));

@@ -308,7 +308,9 @@ fn blossom_is_symmetric_affine_and_the_point_on_its_diagonal() {
             blossom(&f, &borrowed).unwrap()
         };
         let mut shuffled = arguments.clone();
-        shuffled.iter_mut().for_each(|list| list.reverse());
+        for list in &mut shuffled {
+            list.reverse();
+        }
         assert_eq!(of(&arguments), of(&shuffled));
         let t: Rational = random.fraction();
         let equal: Vec<Vec<Rational>> = f.degrees().iter().map(|&d| vec![t.clone(); d]).collect();
@@ -391,7 +393,7 @@ fn derivative_of_a_product_of_powers() {
     let t = [Rational::ratio(2, 5)];
     let expected = [(2, 25), (2, 5), (1, 1), (0, 1)].map(|(n, d)| Rational::ratio(n, d));
     for (order, value) in expected.into_iter().enumerate() {
-        assert_eq!(cubic.derivative_at(&t, &[order + 1]).unwrap(), [value.clone()]);
+        assert_eq!(cubic.derivative_at(&t, &[order + 1]).unwrap(), std::slice::from_ref(&value));
         assert_eq!(derivative(&cubic, &[order + 1]).unwrap().at(&t).unwrap(), [value]);
     }
 }

@@ -20,7 +20,7 @@ fn exact_number(x: f64) -> Rational {
 }
 
 fn assert_close(computed: &Form, expected: &Form<Rational>, epsilons: f64, what: &str) {
-    let error = relative_error(computed, expected).expect("the same orders") / f64::EPSILON;
+    let error = relative_error(computed, expected).unwrap() / f64::EPSILON;
     assert!(error <= epsilons, "{what}: {error} eps, at most {epsilons} stated");
 }
 

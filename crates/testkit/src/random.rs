@@ -13,7 +13,7 @@ pub enum Weights {
     Any,
 }
 
-/// A stream of numbers that is the same in every run (SplitMix64; Steele, Lea, Flood 2014).
+/// A stream of numbers that is the same in every run (`SplitMix64`; Steele, Lea, Flood 2014).
 #[derive(Clone, Debug)]
 pub struct Random(u64);
 

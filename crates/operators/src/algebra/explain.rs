@@ -96,7 +96,8 @@ fn sum(coefficients: &[Rational], names: &[String]) -> String {
             (_, true) => " − ",
         };
         if magnitude.bits() > 1 {
-            text += &format!("{magnitude}·");
+            text += &magnitude.to_string();
+            text.push('·');
         }
         text += name;
         terms += 1;

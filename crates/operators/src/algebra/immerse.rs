@@ -3,7 +3,7 @@
 //! With the homogeneous inner form `(X₁, …, X_e, W)` and `n_j` the degrees of the host,
 //! `host ∘ inner = Σ_i P_i · Π_j C(n_j, i_j) · X_j^{i_j} · (W − X_j)^{n_j − i_j}`: products of Bernstein
 //! polynomials, nothing to solve. Along inner axis `k` of order `q_k` the result has order
-//! `(Σ_j n_j)·(q_k − 1) + 1` (book 2236; DeRose, Goldman, Hagen, Mann, *Functional composition via
+//! `(Σ_j n_j)·(q_k − 1) + 1` (book 2236; `DeRose`, Goldman, Hagen, Mann, *Functional composition via
 //! blossoming*, 1993).
 
 use pforms_kernel::{Error, Form, Result, Scalar, Scaled, limit};

@@ -49,7 +49,7 @@ pub fn reduce<S: Scalar>(form: &Form<S>, by: &[usize]) -> Result<Reduction<S>> {
     for (axis, &less) in by.iter().enumerate() {
         for _ in 0..less {
             let degree = reduced.orders()[axis] - 1;
-            reduced = reduced.along_affine(axis, &reduction_matrix(degree)?)?;
+            reduced = reduced.along_affine(axis, &reduction_matrix(degree))?;
         }
     }
     let bound = distance_bound(form, &elevate(&reduced, by)?, &reduced)?;
@@ -57,7 +57,7 @@ pub fn reduce<S: Scalar>(form: &Form<S>, by: &[usize]) -> Result<Reduction<S>> {
 }
 
 /// The matrix of one step, from `degree + 1` poles to `degree`.
-fn reduction_matrix<S: Scalar>(degree: usize) -> Result<Matrix<S>> {
+fn reduction_matrix<S: Scalar>(degree: usize) -> Matrix<S> {
     let direction: Vec<S> = pascal_row::<S>(degree)
         .into_iter()
         .enumerate()
@@ -77,7 +77,7 @@ fn reduction_matrix<S: Scalar>(degree: usize) -> Result<Matrix<S>> {
             lowered(&(0..=degree).map(residue).collect::<Vec<S>>())
         })
         .collect();
-    Ok(Matrix::from_rule(degree, degree + 1, |i, j| columns[j][i].clone()))
+    Matrix::from_rule(degree, degree + 1, |i, j| columns[j][i].clone())
 }
 
 /// The poles of degree `n − 1` whose elevation is `raised`: the first half is read from the left,
