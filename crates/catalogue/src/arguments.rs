@@ -1,7 +1,7 @@
 //! The arguments of a call, and how they find their parameters.
 
 use crate::catalogue::nearest;
-use crate::{Arithmetic, Bound, Failure, Language, Operator, Parameter, Value};
+use crate::{Arithmetic, Bound, Failure, Language, Operator, Parameter, Takes, Value};
 
 /// The arguments of a call, as a formula gives them.
 ///
@@ -62,7 +62,7 @@ impl<S: Arithmetic> Arguments<S> {
         let mut positional = self.positional.into_iter();
         for (slot, parameter) in slots.iter_mut().zip(operator.parameters) {
             if parameter.variadic {
-                *slot = spread(positional.by_ref().collect());
+                *slot = values_of(parameter, positional.by_ref().collect());
             } else if let Some(argument) = positional.next() {
                 slot.push(argument.value);
             }
@@ -76,7 +76,7 @@ impl<S: Arithmetic> Arguments<S> {
                 return Err(given_twice(&operator.parameters[index]));
             }
             slots[index] = if operator.parameters[index].variadic {
-                spread(vec![Positional { value, range: true }])
+                values_of(&operator.parameters[index], vec![Positional { value, range: true }])
             } else {
                 vec![value]
             };
@@ -94,6 +94,14 @@ fn first_failure<S: Arithmetic>(value: &Value<S>) -> Option<&Failure> {
         Value::Error(failure) => Some(failure),
         Value::List(items) => items.iter().find_map(first_failure),
         _ => None,
+    }
+}
+
+/// The values of a parameter that takes several; lists are taken apart unless it asks for them.
+fn values_of<S: Arithmetic>(parameter: &Parameter, arguments: Vec<Positional<S>>) -> Vec<Value<S>> {
+    match parameter.takes {
+        Takes::List | Takes::Numbers => arguments.into_iter().map(|a| a.value).collect(),
+        _ => spread(arguments),
     }
 }
 

@@ -96,7 +96,7 @@ impl<S: Arithmetic> Bound<S> {
         self.whole_of(index, &self.value(index))
     }
 
-    fn whole_of(&self, index: usize, value: &Value<S>) -> Result<usize, Failure> {
+    pub(crate) fn whole_of(&self, index: usize, value: &Value<S>) -> Result<usize, Failure> {
         let number = self.number_of(index, value)?;
         match number.whole().and_then(|n| usize::try_from(n).ok()) {
             Some(n) => Ok(n),

@@ -24,7 +24,6 @@ mod json;
 mod net;
 mod operator;
 mod parameter;
-mod pending;
 mod value;
 mod words;
 
@@ -36,6 +35,8 @@ pub use elementary::Elementary;
 pub use exact::BITS_CAP;
 pub use failure::Failure;
 pub use infix::{Infix, binary, negate};
+#[doc(hidden)]
+pub use operator::{Call, Routine};
 pub use operator::{Group, Operator};
 pub use parameter::{Fallback, Parameter, Range, Takes};
 pub use value::{DEPTH_CAP, LIST_CAP, Value};

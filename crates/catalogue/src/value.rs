@@ -1,7 +1,7 @@
 //! What flows from cell to cell.
 
-use crate::pending::{Immersed, Piecewise};
 use pforms_kernel::Form;
+use pforms_operators::{Immersed, Piecewise};
 
 use crate::{Arithmetic, Failure, Language, Message, Words};
 
@@ -15,7 +15,7 @@ pub const DEPTH_CAP: usize = 64;
 ///
 /// Every number in it is finite. A failure is a value too: an operator given one returns it
 /// unchanged, so it reaches every cell that depends on its origin.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub enum Value<S = f64> {
     /// Nothing: the value of a cell that holds no text.
     #[default]

@@ -1,10 +1,122 @@
 //! The entries, one file for each chapter.
 
+mod conditions;
+mod evaluating;
+mod explaining;
+mod forms;
+mod gestures;
+mod immersing;
+mod interpolating;
+mod lists;
 mod numbers;
+mod pieces;
+mod windows;
 
-use crate::Operator;
+use pforms_kernel::{Error, Form};
+
+use crate::operator::Group;
+use crate::words::words;
+use crate::{Arithmetic, Failure, Operator, Parameter, Takes, Value, Words};
 
 /// Every entry, in the order of the book.
 pub(crate) fn all() -> Vec<Operator> {
-    numbers::ENTRIES.to_vec()
+    let numbers = numbers::entries();
+    let mut all: Vec<Operator> = [
+        gestures::ENTRIES,
+        explaining::ENTRIES,
+        windows::ENTRIES,
+        evaluating::ENTRIES,
+        interpolating::ENTRIES,
+        immersing::ENTRIES,
+        forms::ENTRIES,
+        pieces::ENTRIES,
+        &numbers,
+        lists::ENTRIES,
+        conditions::ENTRIES,
+    ]
+    .concat();
+    all.sort_by_key(|operator| operator.group);
+    all
+}
+
+/// What a routine answers.
+type Outcome<S> = Result<Value<S>, Failure>;
+
+const FORM: Parameter =
+    Parameter::new(Takes::Form, words("form", "forme"), words("The form.", "La forme."));
+
+const AXIS: Parameter = Parameter::new(
+    Takes::Whole,
+    words("axis", "axe"),
+    words("The axis: 0 is u, 1 is v, 2 is w.", "L'axe : 0 est u, 1 est v, 2 est w."),
+)
+.range(0.0, 63.0);
+
+const T: Parameter = Parameter::new(
+    Takes::Number,
+    words("t", "t"),
+    words("The parameter; 0 to 1 is the usual window.", "Le paramètre ; de 0 à 1 d'ordinaire."),
+)
+.unit("parameter", "paramètre");
+
+/// A text that chooses what an operator gives.
+const fn part(default: &'static str, choices: &'static [Words]) -> Parameter {
+    Parameter::new(
+        Takes::Text,
+        words("part", "partie"),
+        words("What is wanted.", "Ce qui est demandé."),
+    )
+    .or(crate::Fallback::Text(default))
+    .choices(choices)
+}
+
+/// What an entry is when it does not say otherwise.
+const PLAIN: Operator = Operator {
+    name: "",
+    english: &[],
+    french: &[],
+    group: Group::Forms,
+    summary: words("", ""),
+    help: words("", ""),
+    parameters: &[],
+    gives: Takes::Form,
+    example: "",
+    source: "",
+    see: &[],
+    takes_errors: false,
+    call: crate::operator::call!(floating nothing),
+};
+
+fn nothing(_: &crate::Bound<f64>) -> Outcome<f64> {
+    Ok(Value::Empty)
+}
+
+fn list_of_forms<S: Arithmetic>(forms: Vec<Form<S>>) -> Value<S> {
+    Value::list(forms.into_iter().map(Value::Form).collect())
+}
+
+fn list_of_numbers<S: Arithmetic>(numbers: impl IntoIterator<Item = S>) -> Value<S> {
+    Value::list(numbers.into_iter().map(Value::Number).collect())
+}
+
+fn number<S: Arithmetic>(count: usize) -> Value<S> {
+    Value::Number(S::from_integer(count as i64))
+}
+
+/// Orders above this make dense matrices that nobody waits for.
+const ORDER_CAP: usize = 1024;
+
+/// Refuses forms of absurd orders where the work grows with a power of the order.
+fn workable<S: Arithmetic>(form: Form<S>) -> Result<Form<S>, Failure> {
+    match form.orders().iter().find(|&&order| order > ORDER_CAP) {
+        None => Ok(form),
+        Some(order) => {
+            let expected = format!("at most {ORDER_CAP} poles along an axis");
+            let error = Error::domain("form", format!("an order of {order}"), expected);
+            let french = format!(
+                "forme : reçu un ordre de {order}, attendu au plus {ORDER_CAP} pôles par axe"
+            );
+            Err(Failure::of(error, french))
+        }
+    }
 }
