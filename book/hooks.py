@@ -30,6 +30,11 @@ CHAPTERS = {
 FENCE = re.compile(r"^```math\n(.*?)^```$", re.DOTALL | re.MULTILINE)
 INLINE = re.compile(r"\$`([^`]+)`\$")
 
+# While Markdown is read, a formula is a number between two characters that no page uses: Markdown
+# would take a line that begins with `<math>` for a paragraph of its own.
+MARK = re.compile("\ue000(\\d+)\ue001")
+formulas: list[str] = []
+
 
 def chapter(docs: Path, name: str) -> list[str]:
     """Addresses of a chapter's pages: its index first, the others by name."""
@@ -52,7 +57,19 @@ def on_config(config: MkDocsConfig) -> MkDocsConfig:
     return config
 
 
+def put_by(latex: str, display: str) -> str:
+    """Keeps a formula as MathML and returns its mark."""
+    formulas.append(convert(latex.strip(), display=display))
+    return f"\ue000{len(formulas) - 1}\ue001"
+
+
 def on_page_markdown(markdown: str, **_: object) -> str:
-    """Turns formulas into MathML."""
-    blocks = FENCE.sub(lambda found: convert(found[1].strip(), display="block"), markdown)
-    return INLINE.sub(lambda found: convert(found[1]), blocks)
+    """Puts formulas by."""
+    formulas.clear()
+    blocks = FENCE.sub(lambda found: put_by(found[1], "block"), markdown)
+    return INLINE.sub(lambda found: put_by(found[1], "inline"), blocks)
+
+
+def on_page_content(html: str, **_: object) -> str:
+    """Puts the formulas back in."""
+    return MARK.sub(lambda found: formulas[int(found[1])], html)
