@@ -87,6 +87,7 @@ impl Edit {
 }
 
 /// An address in a log is written as people write it.
+#[allow(clippy::trivially_copy_pass_by_ref, reason = "the signature serde calls")]
 mod as_text {
     use pforms_formula::Address;
     use serde::{Deserialize, Deserializer, Serializer, de::Error};
@@ -101,6 +102,7 @@ mod as_text {
 }
 
 /// So is what a name stands for.
+#[allow(clippy::ref_option, reason = "the signature serde calls")]
 mod target_as_text {
     use crate::Target;
     use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error};

@@ -99,28 +99,36 @@ impl Graph {
         self.name_users.get(name).into_iter().flatten().copied()
     }
 
-    /// The cells that mention `at`, by itself or in a range.
-    pub(crate) fn users(&self, at: Address) -> BTreeSet<Address> {
-        let direct = self.users.get(&at).into_iter().flatten();
-        let ranges = self.ranges.around(at);
-        let through = ranges.iter().flat_map(|range| self.ranges.users(*range));
-        direct.chain(through).copied().collect()
-    }
-
-    /// `seeds` and all that depends on them.
-    pub(crate) fn dependents(&self, seeds: impl IntoIterator<Item = Address>) -> BTreeSet<Address> {
-        let mut reached: BTreeSet<Node> = seeds.into_iter().map(Node::Cell).collect();
-        let mut waiting: Vec<Node> = reached.iter().copied().collect();
+    /// Adds seeds, and all that depends on them, to cells that hold whatever depends on them.
+    pub(crate) fn spread(
+        &self,
+        seeds: impl IntoIterator<Item = Address>,
+        dirty: &mut BTreeSet<Address>,
+    ) {
+        let mut passed: BTreeSet<Rectangle> = BTreeSet::new();
+        let mut waiting: Vec<Node> = seeds.into_iter().map(Node::Cell).collect();
         while let Some(node) = waiting.pop() {
-            waiting.extend(self.next(node).into_iter().filter(|next| reached.insert(*next)));
+            let new = match node {
+                Node::Cell(at) => dirty.insert(at),
+                Node::Range(range) => passed.insert(range),
+            };
+            if new {
+                waiting.extend(self.next(node));
+            }
         }
-        reached.iter().filter_map(Node::cell).collect()
     }
 
-    /// The order in which to compute cells. The set holds whatever depends on any of them.
+    /// The order in which to compute cells: by address, as far as they leave the choice.
+    ///
+    /// The set holds whatever depends on any of them.
     pub(crate) fn stages(&self, dirty: &BTreeSet<Address>) -> VecDeque<Stage> {
-        let starts = dirty.iter().map(|at| Node::Cell(*at));
-        let found = components(starts, |node| self.next(node));
+        let starts = dirty.iter().rev().map(|at| Node::Cell(*at));
+        let backwards = |node| {
+            let mut next = self.next(node);
+            next.reverse();
+            next
+        };
+        let found = components(starts, backwards);
         found.into_iter().rev().filter_map(|component| self.stage(&component)).collect()
     }
 

@@ -27,6 +27,7 @@
 mod read;
 mod write;
 
+pub(crate) use read::is_title;
 pub use read::{read, read_bytes};
 pub use write::write;
 

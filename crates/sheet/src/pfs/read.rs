@@ -11,10 +11,8 @@ use toml::de::{DeTable, DeValue};
 use super::VERSION;
 use crate::document::Name;
 use crate::name::{check_name, folded};
+use crate::settings::DEPTH;
 use crate::{Document, Settings, Target};
-
-/// How deep tables and lists may lie in one another.
-const DEPTH: usize = 32;
 
 type Key<'a> = Spanned<std::borrow::Cow<'a, str>>;
 type Item<'a> = Spanned<DeValue<'a>>;
@@ -230,7 +228,7 @@ impl Reader<'_> {
 }
 
 /// `title`, or `title_` and a language in small letters.
-fn is_title(key: &str) -> bool {
+pub(crate) fn is_title(key: &str) -> bool {
     let language =
         |text: &str| (2..=8).contains(&text.len()) && text.bytes().all(|b| b.is_ascii_lowercase());
     key == "title" || key.strip_prefix("title_").is_some_and(language)

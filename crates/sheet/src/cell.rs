@@ -1,0 +1,73 @@
+//! What the sheet knows of one cell: its text as understood, its value, and what that cost.
+
+use pforms_catalogue::{Arithmetic, Failure, Value};
+use pforms_formula::{Content, References, references};
+use serde::Serialize;
+
+use crate::Document;
+use crate::graph::Mentions;
+use crate::{Target, name::folded};
+
+/// A cell that is not empty.
+#[derive(Clone, Debug)]
+pub(crate) struct Cell<S> {
+    pub(crate) content: Content,
+    pub(crate) value: Value<S>,
+    pub(crate) cost: Cost,
+}
+
+/// What computing a cell took, and what its value occupies.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct Cost {
+    /// Seconds; none without a clock.
+    pub seconds: Option<f64>,
+    /// Orders of the form, along each of its axes; none when it is no form.
+    pub orders: Option<Vec<usize>>,
+    /// Bytes of its numbers.
+    pub bytes: usize,
+}
+
+/// A cell as it is shown.
+#[derive(Clone, Debug)]
+pub struct Info {
+    /// The text that was typed.
+    pub source: String,
+    /// The short text of its value.
+    pub text: String,
+    /// What its value is, in a word: `number`, `point`, `pS33`, `error`.
+    pub kind: String,
+    /// What went wrong, and where it started.
+    pub error: Option<Failure>,
+    /// What it cost.
+    pub cost: Cost,
+    /// Must it be computed again? Then the rest is about what it was.
+    pub pending: bool,
+}
+
+impl<S: Arithmetic> Cell<S> {
+    /// A cell that has not been computed.
+    pub(crate) fn new(content: Content) -> Self {
+        Self { content, value: Value::Empty, cost: Cost::default() }
+    }
+
+    /// What the cell depends on, names looked up.
+    pub(crate) fn mentions(&self, document: &Document) -> Mentions {
+        let Content::Formula(tree) = &self.content else { return Mentions::default() };
+        let References { cells, ranges, names } = references(tree);
+        let mut mentions = Mentions { cells: cells.into_iter().collect(), ..Mentions::default() };
+        for range in &ranges {
+            mentions.add_range(range);
+        }
+        for name in names {
+            match document.target(&name) {
+                Some(Target::Cell(at)) => {
+                    mentions.cells.insert(at);
+                }
+                Some(Target::Cells(range)) => mentions.add_range(&range),
+                None => {}
+            }
+            mentions.names.insert(folded(&name));
+        }
+        mentions
+    }
+}
