@@ -62,19 +62,29 @@ pub fn projective_blossom_row<S: Scalar>(arguments: &[[S; 2]]) -> Vec<S> {
 /// Rows above the degree are zero.
 pub fn taylor_rows<S: Scalar>(degree: usize, last: usize, t: &S) -> Matrix<S> {
     let choices = pascal_row::<S>(degree);
-    let rows: Vec<Vec<S>> = (0..=last)
-        .map(|r| {
-            if r > degree {
-                return vec![S::zero(); degree + 1];
-            }
-            let mut row = bernstein_row(degree - r, t);
-            for _ in 0..r {
-                difference(&mut row);
-            }
-            row.iter().map(|x| choices[r].clone() * x.clone()).collect()
-        })
-        .collect();
-    Matrix::from_rule(last + 1, degree + 1, |r, j| rows[r][j].clone())
+    let (mut row, mut rows) = (Vec::new(), Vec::new());
+    for r in 0..=last {
+        taylor_row_into(&choices, r, t, &mut row);
+        rows.extend_from_slice(&row);
+    }
+    Matrix::from_rule(last + 1, degree + 1, |r, j| rows[r * (degree + 1) + j].clone())
+}
+
+/// Row `r` of [`taylor_rows`] into a buffer that is used again; `choices` is the row of Pascal.
+pub(crate) fn taylor_row_into<S: Scalar>(choices: &[S], r: usize, t: &S, row: &mut Vec<S>) {
+    let degree = choices.len() - 1;
+    if r > degree {
+        row.clear();
+        row.resize(degree + 1, S::zero());
+        return;
+    }
+    bernstein_row_into(degree - r, t, row);
+    for _ in 0..r {
+        difference(row);
+    }
+    for entry in row {
+        *entry = choices[r].clone() * entry.clone();
+    }
 }
 
 /// The coefficients `c` of `Σ c_j P_j` become those of `Σ c_j (P_{j+1} − P_j)`.

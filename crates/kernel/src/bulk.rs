@@ -87,22 +87,6 @@ impl Form<f64> {
         })
     }
 
-    /// Derivatives `∂^orders` of the points at scattered parameters, into `out`.
-    ///
-    /// Errors: as [`Form::scattered`].
-    pub fn scattered_derivative_into(
-        &self,
-        parameters: &[&[f64]],
-        orders: &[usize],
-        out: &mut [f64],
-    ) -> Result<()> {
-        let ambient = self.ambient();
-        self.each_scattered(parameters, out, ambient, |form, at, part| {
-            part.copy_from_slice(&form.derivative_at(at, orders)?);
-            Ok(())
-        })
-    }
-
     /// Calls `visit(form, parameters, numbers)` for each of the points.
     ///
     /// `width` numbers of `out` belong to each. Errors: `Shape`, and those of `visit`.
@@ -163,7 +147,12 @@ impl Batch {
 fn combine(row: &[f64], poles: &[f64], inner: usize, line: &mut Vec<f64>) {
     line.clear();
     line.resize(inner, 0.0);
-    for (coefficient, pole) in row.iter().zip(poles.chunks_exact(inner)) {
+    add_lines(row, poles, line);
+}
+
+/// `line += Σ row[j] · poles[j]`.
+pub(crate) fn add_lines(row: &[f64], poles: &[f64], line: &mut [f64]) {
+    for (coefficient, pole) in row.iter().zip(poles.chunks_exact(line.len())) {
         for (sum, x) in line.iter_mut().zip(pole) {
             *sum += coefficient * x;
         }

@@ -26,10 +26,8 @@ impl<S: Scalar> Jet<S> {
 
     /// The highest derivative kept: `∂^orders f`.
     pub fn top_derivative(&self) -> S {
-        let factorials = self.orders.iter().flat_map(|&order| 1..=order);
-        let scale = factorials.fold(S::one(), |product, k| product * S::from_integer(k as i64));
         let top = self.coefficients.len() - 1;
-        self.coefficients[top].clone() * scale
+        self.coefficients[top].clone() * factorials(&self.orders)
     }
 
     /// `self += factor·other`.
@@ -41,11 +39,10 @@ impl<S: Scalar> Jet<S> {
     #[must_use]
     pub fn times(&self, other: &Self) -> Self {
         let mut product = Self::constant(&self.orders, S::zero());
-        for (i, a) in self.indices().iter().zip(&self.coefficients) {
-            for (j, b) in self.indices().iter().zip(&other.coefficients) {
-                if let Some(k) = self.position_of_sum(i, j) {
-                    product.coefficients[k] += a.clone() * b.clone();
-                }
+        for (k, below) in lower(&self.orders).iter().enumerate() {
+            for &j in below {
+                product.coefficients[k] +=
+                    self.coefficients[j].clone() * other.coefficients[k - j].clone();
             }
         }
         product
@@ -60,50 +57,40 @@ impl<S: Scalar> Jet<S> {
         if divisor.value().is_zero() {
             return Err(vanishing_weight());
         }
-        let indices = self.indices();
-        let mut quotient = Self::constant(&self.orders, S::zero());
-        for (k, target) in indices.iter().enumerate() {
+        let mut quotient = self.clone();
+        for (k, below) in lower(&self.orders).iter().enumerate() {
             let mut rest = self.coefficients[k].clone();
-            for (j, known) in indices[..k].iter().enumerate() {
-                let gap: Option<Vec<usize>> =
-                    target.iter().zip(known).map(|(a, b)| a.checked_sub(*b)).collect();
-                if let Some(gap) = gap {
-                    let d = divisor.coefficients[self.position(&gap)].clone();
-                    rest = rest - d * quotient.coefficients[j].clone();
-                }
+            for &j in &below[..below.len() - 1] {
+                let d = divisor.coefficients[k - j].clone();
+                rest = rest - d * quotient.coefficients[j].clone();
             }
             quotient.coefficients[k] = rest / divisor.value().clone();
         }
         Ok(quotient)
     }
+}
 
-    fn indices(&self) -> Vec<Vec<usize>> {
-        let mut all = vec![Vec::new()];
-        for &order in &self.orders {
-            all = all
-                .into_iter()
-                .flat_map(|prefix| {
-                    (0..=order).map(move |i| {
-                        let mut index = prefix.clone();
-                        index.push(i);
-                        index
-                    })
-                })
-                .collect();
+/// For every multi-index `k ≤ orders`, the flat positions of the multi-indices `j ≤ k`, `k` last.
+///
+/// The position of `k − j` is the difference of the positions.
+pub(crate) fn lower(orders: &[usize]) -> Vec<Vec<usize>> {
+    let mut all = vec![vec![0]];
+    for &order in orders {
+        let coarser = std::mem::take(&mut all);
+        for below in &coarser {
+            for i in 0..=order {
+                let finer = |j: &usize| (0..=i).map(|k| j * (order + 1) + k).collect::<Vec<_>>();
+                all.push(below.iter().flat_map(finer).collect());
+            }
         }
-        all
     }
+    all
+}
 
-    fn position(&self, index: &[usize]) -> usize {
-        let digits = index.iter().zip(&self.orders);
-        digits.fold(0, |flat, (i, order)| flat * (order + 1) + i)
-    }
-
-    fn position_of_sum(&self, i: &[usize], j: &[usize]) -> Option<usize> {
-        let sum: Vec<usize> = i.iter().zip(j).map(|(a, b)| a + b).collect();
-        let inside = sum.iter().zip(&self.orders).all(|(s, order)| s <= order);
-        inside.then(|| self.position(&sum))
-    }
+/// `∂^orders` over the last Taylor coefficient: the product of the factorials.
+pub(crate) fn factorials<S: Scalar>(orders: &[usize]) -> S {
+    let factors = orders.iter().flat_map(|&order| 1..=order);
+    factors.fold(S::one(), |product, k| product * S::from_integer(k as i64))
 }
 
 impl<S: Scalar> Form<S> {

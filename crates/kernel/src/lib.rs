@@ -19,6 +19,7 @@
 
 mod basis;
 mod bulk;
+mod bulk_derivative;
 mod dual;
 mod error;
 mod evaluate;

@@ -109,7 +109,10 @@ fn derivatives_in_bulk_are_those_of_single_points() {
     f.scattered_derivative_into(&[&u, &v], &[1, 1], &mut out).unwrap();
     for i in 0..3 {
         let single = f.derivative_at(&[u[i], v[i]], &[1, 1]).unwrap();
-        assert_eq!(out[3 * i..][..3], single);
+        for k in 0..3 {
+            // A few roundings of numbers below 100.
+            assert!((out[3 * i + k] - single[k]).abs() <= 1e4 * f64::EPSILON);
+        }
     }
 }
 
