@@ -65,6 +65,7 @@ test-rust: | essentials
 
 test-python: $(extension)
 	$(PYTHON)/python -m pytest bindings/python
+	$(PYTHON)/python -m pytest book
 
 test-studio: $(page)
 	tools/packages.sh chromium

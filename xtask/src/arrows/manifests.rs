@@ -32,6 +32,7 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
     ("pforms-python", LIBRARIES),
     ("pforms-wasm", LIBRARIES),
     ("pforms-benches", LIBRARIES),
+    ("pforms-book", LIBRARIES),
     ("xtask", LIBRARIES),
 ];
 
@@ -49,7 +50,7 @@ const LIBRARIES: &[&str] = &[
 
 /// Reads every manifest of the workspace.
 pub(super) fn check(root: &Path, findings: &mut Findings) -> Result<()> {
-    for folder in ["crates", "bindings", "xtask", "benches"] {
+    for folder in ["crates", "bindings", "benches", "book", "xtask"] {
         for file in files_below(&root.join(folder), &["Cargo.toml"])? {
             let text = std::fs::read_to_string(&file)?;
             let shown = file.strip_prefix(root).unwrap_or(&file);
