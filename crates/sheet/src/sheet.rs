@@ -46,7 +46,14 @@ pub struct Sheet<S = f64> {
 
 impl<S: Arithmetic> Default for Sheet<S> {
     fn default() -> Self {
-        Self::of(Document::default(), History::default())
+        Document::default().into()
+    }
+}
+
+impl<S: Arithmetic> From<Document> for Sheet<S> {
+    /// The sheet of a document; nothing is computed yet.
+    fn from(document: Document) -> Self {
+        Self::of(document, History::default())
     }
 }
 
@@ -60,7 +67,7 @@ impl<S: Arithmetic> Sheet<S> {
     ///
     /// Errors: `Format` with line and column, see [`pfs::read`].
     pub fn open(text: &str) -> Result<Self> {
-        Ok(Self::of(pfs::read(text)?, History::default()))
+        Ok(pfs::read(text)?.into())
     }
 
     /// The text of a `.pfs` file that holds this sheet.
