@@ -120,7 +120,10 @@ bench: $(extension) .tools/bench/ready
 		--manifest-path bindings/python/Cargo.toml
 	$(BENCH)/python benches/run.py
 
-book: .tools/book/ready
+.tools/book/operators.json: .tools/book/ready $(rust_sources)
+	cargo run --quiet --locked --package pforms -- operators --json > $@
+
+book: .tools/book/ready .tools/book/operators.json
 	NO_MKDOCS_2_WARNING=1 $(BOOK)/mkdocs build --quiet --strict --config-file book/mkdocs.yml
 	@echo "The manual: book/html/index.html"
 

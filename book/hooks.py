@@ -1,16 +1,26 @@
-"""What the manual needs beyond Markdown: the order of its chapters, and formulas without a script.
+"""What the manual needs beyond Markdown.
 
-A formula is written as GitHub reads it, ``$`…`$`` in a line or a fence named ``math``, and becomes
-MathML, which browsers draw by themselves.
+The order of its chapters; the reference at the end of an operator's page; and formulas without a
+script. A formula is written as GitHub reads it, ``$`…`$`` in a line or a fence named ``math``, and
+becomes MathML, which browsers draw by themselves.
 """
 
 from __future__ import annotations
 
 import re
+import sys
 from pathlib import Path
 
 from latex2mathml.converter import convert
 from mkdocs.config.defaults import MkDocsConfig
+from mkdocs.structure.pages import Page
+
+HERE = Path(__file__).parent
+sys.path.append(str(HERE))
+
+import reference  # noqa: E402 (it lies beside this file, which MkDocs loads by its path)
+
+CATALOGUE = HERE.parent / ".tools" / "book" / "operators.json"
 
 # Pages and chapters in reading order; a chapter is a folder, its pages in alphabetical order.
 CHAPTERS = {
@@ -63,11 +73,25 @@ def put_by(latex: str, display: str) -> str:
     return f"\ue000{len(formulas) - 1}\ue001"
 
 
-def on_page_markdown(markdown: str, **_: object) -> str:
-    """Puts formulas by."""
+def on_page_markdown(markdown: str, page: Page, **_: object) -> str:
+    """Adds what the catalogue says, and puts formulas by."""
+    folder, _, name = page.file.src_uri.removesuffix(".md").rpartition("/")
+    if folder == "operators":
+        markdown += from_catalogue(name)
     formulas.clear()
     blocks = FENCE.sub(lambda found: put_by(found[1], "block"), markdown)
     return INLINE.sub(lambda found: put_by(found[1], "inline"), blocks)
+
+
+def from_catalogue(name: str) -> str:
+    """Writes the reference of an operator, or of a group that shares a page."""
+    entries = reference.load(CATALOGUE)
+    pages = {page.stem for page in (HERE / "src" / "operators").glob("*.md")}
+    for entry in entries:
+        if entry["name"] == name:
+            return "\n" + reference.section(entry, pages)
+    group = [entry for entry in entries if entry["group"] == name]
+    return "\n" + reference.group(group) if group else ""
 
 
 def on_page_content(html: str, **_: object) -> str:

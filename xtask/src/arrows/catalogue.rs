@@ -1,6 +1,7 @@
 //! Every operator of the catalogue has a golden case, and a page that calls it in three ways.
 //!
-//! The elementary functions of a group share one page, which names each of them.
+//! Words that take forms apart, lists and elementary functions share a page with their group, and
+//! the manual lists them there by itself.
 
 use std::path::Path;
 use std::process::Command;
@@ -10,8 +11,8 @@ use serde::Deserialize;
 
 use super::findings::Findings;
 
-/// Groups whose entries share a page: they are words of the formula language, known from anywhere.
-const ELEMENTARY: [&str; 2] = ["numbers", "lists"];
+/// Groups whose entries share a page.
+const SHARED: [&str; 3] = ["forms", "lists", "numbers"];
 
 /// The three ways to say it, by the mark of their fence.
 const WAYS: [&str; 3] = ["```rust", "```python", "```sheet"];
@@ -20,7 +21,6 @@ const WAYS: [&str; 3] = ["```rust", "```python", "```sheet"];
 #[derive(Debug, Deserialize)]
 struct Entry {
     name: String,
-    english: Vec<String>,
     group: String,
 }
 
@@ -28,11 +28,16 @@ struct Entry {
 pub(super) fn check(root: &Path, findings: &mut Findings) -> Result<()> {
     for entry in entries(root)? {
         findings.read();
-        if ELEMENTARY.contains(&entry.group.as_str()) {
-            check_shared_page(root, &entry, findings);
+        if SHARED.contains(&entry.group.as_str()) {
+            check_exists(root, &page_of(&entry.group), &entry.name, findings);
         } else {
             check_page(root, &entry.name, findings);
-            check_case(root, &entry.name, findings);
+            check_exists(
+                root,
+                &format!("cases/operators/{}.json", entry.name),
+                &entry.name,
+                findings,
+            );
         }
     }
     Ok(())
@@ -47,31 +52,27 @@ fn entries(root: &Path) -> Result<Vec<Entry>> {
         .context("cargo cannot be started")?;
     let complaint = String::from_utf8_lossy(&output.stderr);
     ensure!(output.status.success(), "`pforms operators --json` failed: {complaint}");
-    serde_json::from_slice(&output.stdout).context("`pforms operators --json` is no list of entries")
+    serde_json::from_slice(&output.stdout)
+        .context("`pforms operators --json` is no list of entries")
 }
 
-fn check_case(root: &Path, name: &str, findings: &mut Findings) {
-    let file = format!("cases/operators/{name}.json");
-    if !root.join(&file).exists() {
-        findings.add(Path::new(&file), 0, format!("`{name}` lacks its golden case"));
+fn page_of(name: &str) -> String {
+    format!("book/src/operators/{name}.md")
+}
+
+fn check_exists(root: &Path, file: &str, name: &str, findings: &mut Findings) {
+    if !root.join(file).exists() {
+        findings.add(Path::new(file), 0, format!("missing: `{name}` needs it"));
     }
 }
 
 fn check_page(root: &Path, name: &str, findings: &mut Findings) {
-    let file = format!("book/src/operators/{name}.md");
+    let file = page_of(name);
     let Ok(text) = std::fs::read_to_string(root.join(&file)) else {
-        return findings.add(Path::new(&file), 0, format!("`{name}` lacks its page"));
+        return check_exists(root, &file, name, findings);
     };
     for way in WAYS.iter().filter(|way| !text.contains(*way)) {
-        findings.add(Path::new(&file), 0, format!("`{name}` is not called in a {way} fence"));
-    }
-}
-
-fn check_shared_page(root: &Path, entry: &Entry, findings: &mut Findings) {
-    let file = format!("book/src/operators/{}.md", entry.group);
-    let text = std::fs::read_to_string(root.join(&file)).unwrap_or_default();
-    let Some(word) = entry.english.first() else { return };
-    if !text.contains(&format!("`{word}")) {
-        findings.add(Path::new(&file), 0, format!("`{word}` is not named"));
+        let language = way.trim_start_matches('`');
+        findings.add(Path::new(&file), 0, format!("`{name}` is not called from {language}"));
     }
 }

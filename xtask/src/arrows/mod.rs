@@ -1,5 +1,6 @@
 //! The check that imports point one way. Each file asks one question and lists what breaks it.
 
+mod catalogue;
 mod findings;
 mod manifests;
 mod rooms;
@@ -17,6 +18,7 @@ pub(crate) fn check(root: &Path) -> Result<()> {
     manifests::check(root, &mut findings)?;
     rooms::check(root, &mut findings)?;
     studio::check(root, &mut findings)?;
+    catalogue::check(root, &mut findings)?;
     if findings.is_empty() {
         println!("arrows: {} files read, none turned", findings.files_read());
         return Ok(());
