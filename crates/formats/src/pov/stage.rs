@@ -1,0 +1,72 @@
+//! Camera, lights, background and axes.
+
+use std::fmt::Write;
+
+use pforms_mesh::vector::{Vec3, add, scale};
+use pforms_scene::{Placement, Projection, Scene, View};
+
+use super::vector;
+
+/// Radius of the ball round the book's usual scene, a cube of side 1; its lights and axes are
+/// scaled from there to the scene at hand.
+const USUAL_RADIUS: f64 = 0.87;
+
+/// The book's three lights, for its usual scene.
+const LIGHTS: [Vec3; 3] = [[2.0, 2.0, -2.0], [-2.0, 2.0, -2.0], [2.0, 0.0, 2.0]];
+
+const AXES: [(Vec3, &str); 3] = [
+    ([1.0, 0.0, 0.0], "rgb <0.8, 0, 0>"),
+    ([0.0, 1.0, 0.0], "rgb <0, 0.6, 0>"),
+    ([0.0, 0.0, 1.0], "rgb <0, 0, 0.8>"),
+];
+
+/// Writes everything but the drawn values. Writing to a string cannot fail.
+pub(super) fn write(text: &mut String, scene: &Scene) {
+    let (centre, radius) = scene.bounds().ball();
+    let size = radius / USUAL_RADIUS;
+    text.push_str("global_settings { assumed_gamma 1.0 max_trace_level 64 }\n");
+    text.push_str("background { color srgb 3/4 }\n");
+    camera(text, &scene.placement());
+    for light in LIGHTS {
+        let place = vector(add(centre, scale(size, light)));
+        let _ = writeln!(text, "light_source {{ {place} color rgb 0.75 shadowless }}");
+    }
+    if scene.axes {
+        axes(text, scene.camera.view, size);
+    }
+}
+
+fn camera(text: &mut String, placement: &Placement) {
+    let Placement { position, target, up, projection } = placement;
+    text.push_str("#declare Aspect = image_width / image_height;\n");
+    let (kind, across) = match projection {
+        Projection::Parallel { across } => ("orthographic", *across),
+        // `direction z` is one long: half of the picture's side over it is the tangent ½.
+        Projection::Perspective => ("perspective", 1.0),
+    };
+    let _ = writeln!(
+        text,
+        "camera {{\n  {kind}\n  location {}\n  direction z\n  \
+         right x*{across:?}*max(1, Aspect)\n  up y*{across:?}*max(1, 1/Aspect)\n  \
+         sky {}\n  look_at {}\n}}",
+        vector(*position),
+        vector(*up),
+        vector(*target),
+    );
+}
+
+/// Thin cylinders, but for the axis one looks along.
+fn axes(text: &mut String, view: View, size: f64) {
+    for (direction, color) in AXES {
+        if view != View::Axo && view.direction().map(f64::abs) == direction {
+            continue;
+        }
+        let [from, to] = [-10.0 * size, 10.0 * size].map(|reach| vector(scale(reach, direction)));
+        let _ = writeln!(
+            text,
+            "cylinder {{ {from}, {to}, {:?} pigment {{ color {color} }} \
+             finish {{ ambient 0.6 diffuse 0.4 }} }}",
+            0.005 * size,
+        );
+    }
+}

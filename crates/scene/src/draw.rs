@@ -1,0 +1,163 @@
+//! Forms and a style to parts.
+
+use pforms_kernel::{Error, Form, Result};
+use pforms_mesh::{
+    Polyline, Sampling, Triangles, curve, envelope, fibres, leaves, net, normals, points, poles,
+    surfaces,
+};
+
+use crate::{Mode, Part, Shading, Shapes, Style};
+
+/// Draws forms in a style: for each way of drawing, what it makes of all forms it suits.
+///
+/// Patches with a common edge are meshed together, without cracks.
+///
+/// Errors: `Shape` when a way of drawing suits none of the forms; those of [`Style::check`], of
+/// sampling and meshing.
+///
+/// ```
+/// use pforms_kernel::Form;
+/// use pforms_scene::{Part, Shapes, Style, draw};
+/// let parabola = Form::from_points(&[3], 2, &[0., 0., 1., 2., 2., 0.], None)?;
+/// let parts = draw(&Shapes::of(vec![parabola]), &Style::default())?;
+/// let [Part::Lines { polylines, .. }] = parts.as_slice() else { panic!() };
+/// assert_eq!(polylines[0].points.len(), 17);
+/// # Ok::<(), pforms_kernel::Error>(())
+/// ```
+pub fn draw(shapes: &Shapes, style: &Style) -> Result<Vec<Part>> {
+    style.check()?;
+    if style.draw.is_empty() {
+        return usual(shapes, style);
+    }
+    let mut parts = Vec::new();
+    for mode in &style.draw {
+        let suited: Vec<&Form> =
+            shapes.forms.iter().filter(|form| Mode::suiting(form).contains(mode)).collect();
+        if suited.is_empty() {
+            return Err(unsuited(*mode, &shapes.forms));
+        }
+        parts.extend(in_mode(*mode, &suited, &shapes.nets, style)?);
+    }
+    Ok(parts)
+}
+
+/// Each form in its most usual way, forms of one way together.
+fn usual(shapes: &Shapes, style: &Style) -> Result<Vec<Part>> {
+    let mut parts = Vec::new();
+    for mode in [Mode::Surface, Mode::Envelope, Mode::Curve, Mode::Points] {
+        let forms: Vec<&Form> =
+            shapes.forms.iter().filter(|form| Mode::suiting(form).first() == Some(&mode)).collect();
+        if !forms.is_empty() {
+            parts.extend(in_mode(mode, &forms, &[], style)?);
+        }
+    }
+    Ok(parts)
+}
+
+fn in_mode(mode: Mode, forms: &[&Form], nets: &[Form], style: &Style) -> Result<Vec<Part>> {
+    let sampling = &style.sampling();
+    let (count, axis) = (style.count, style.axis);
+    Ok(match mode {
+        Mode::Points => vec![spheres(gathered(forms, |form| points(form, sampling))?, style)],
+        Mode::Curve => vec![tubes(gathered(forms, |form| lines(form, sampling))?, style)],
+        Mode::Surface => triangles(&cloned(forms), sampling, style)?,
+        Mode::Envelope => triangles(&gathered(forms, envelope)?, sampling, style)?,
+        Mode::Sheets => {
+            let across = |form: &Form| leaves(form, axis, count);
+            triangles(&gathered(forms, across)?, &without(sampling, axis), style)?
+        }
+        Mode::Fibres => {
+            let bundle = gathered(forms, |form| fibres(form, axis, count))?;
+            let along = only(sampling, axis);
+            let bundle: Vec<&Form> = bundle.iter().collect();
+            vec![tubes(gathered(&bundle, |fibre| lines(fibre, &along))?, style)]
+        }
+        Mode::Net => {
+            let nets: Vec<&Form> = nets.iter().collect();
+            let wires = tubes_of(gathered(&nets, net)?, style.radius / 3.0);
+            vec![wires, spheres(gathered(&nets, poles)?, style)]
+        }
+        Mode::Poles => {
+            let nets: Vec<&Form> = nets.iter().collect();
+            vec![spheres(gathered(&nets, poles)?, style)]
+        }
+        Mode::Normals => {
+            let needles = |form: &Form| normals(form, sampling, style.length);
+            vec![tubes(gathered(forms, needles)?, style)]
+        }
+    })
+}
+
+fn triangles(forms: &[Form], sampling: &Sampling, style: &Style) -> Result<Vec<Part>> {
+    let mut all = Triangles::default();
+    for mesh in surfaces(forms, sampling)? {
+        all.append(&mesh);
+    }
+    let shaded = if style.shading == Shading::Flat { all.flat() } else { all };
+    Ok(vec![Part::Triangles(shaded)])
+}
+
+fn spheres(positions: Vec<pforms_mesh::vector::Vec3>, style: &Style) -> Part {
+    Part::Points { positions, radius: style.radius }
+}
+
+fn tubes(polylines: Vec<Polyline>, style: &Style) -> Part {
+    tubes_of(polylines, style.radius)
+}
+
+fn tubes_of(polylines: Vec<Polyline>, radius: f64) -> Part {
+    Part::Lines { polylines, radius }
+}
+
+fn lines(form: &Form, sampling: &Sampling) -> Result<Vec<Polyline>> {
+    Ok(curve(form, sampling)?.polylines)
+}
+
+fn gathered<T>(forms: &[&Form], of: impl Fn(&Form) -> Result<Vec<T>>) -> Result<Vec<T>> {
+    let mut all = Vec::new();
+    for form in forms {
+        all.extend(of(form)?);
+    }
+    Ok(all)
+}
+
+fn cloned(forms: &[&Form]) -> Vec<Form> {
+    forms.iter().map(|form| (*form).clone()).collect()
+}
+
+/// The sampling of a leaf, which lacks `axis`.
+fn without(sampling: &Sampling, axis: usize) -> Sampling {
+    match sampling {
+        Sampling::Fineness(levels) if levels.len() > 1 && axis < levels.len() => {
+            let mut levels = levels.clone();
+            levels.remove(axis);
+            Sampling::Fineness(levels)
+        }
+        other => other.clone(),
+    }
+}
+
+/// The sampling of a fibre, which has nothing but `axis`.
+fn only(sampling: &Sampling, axis: usize) -> Sampling {
+    match sampling {
+        Sampling::Fineness(levels) if levels.len() > 1 => {
+            Sampling::Fineness(levels.get(axis).into_iter().copied().collect())
+        }
+        other => other.clone(),
+    }
+}
+
+fn unsuited(mode: Mode, forms: &[Form]) -> Error {
+    let kinds: Vec<String> = forms.iter().take(3).map(|form| form.kind().to_string()).collect();
+    let ways: Vec<String> = forms
+        .first()
+        .map_or(&[][..], Mode::suiting)
+        .iter()
+        .map(|mode| format!("{mode:?}").to_lowercase())
+        .collect();
+    Error::shape(
+        "draw",
+        format!("{:?} for {}", format!("{mode:?}").to_lowercase(), kinds.join(", ")),
+        format!("one of {}", ways.join(", ")),
+    )
+}
