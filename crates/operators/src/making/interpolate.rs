@@ -26,13 +26,7 @@ use super::vandermonde::{Vandermonde, Window};
 pub fn interpolate<S: Scalar>(net: &Form<S>, nodes: &Nodes<S>) -> Result<Form<S>> {
     let points = Form::from_points(net.orders(), net.ambient(), &net.points()?, None)?;
     let curve = interpolate_homogeneous(&points, nodes)?;
-    // The weights were all 1 and are so still, but for roundings.
-    let width = curve.width();
-    let mut poles = curve.homogeneous().to_vec();
-    for pole in poles.chunks_exact_mut(width) {
-        pole[width - 1] = S::one();
-    }
-    Form::from_homogeneous(curve.orders(), curve.ambient(), poles)
+    Ok(curve.with_uniform_weight(&S::one()))
 }
 
 /// The form whose homogeneous points at the nodes are the homogeneous poles of `net`.

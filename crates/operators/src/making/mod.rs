@@ -5,6 +5,7 @@ mod fit_parameters;
 mod interpolate;
 mod least_squares;
 mod nodes;
+
 mod twofold;
 mod vandermonde;
 

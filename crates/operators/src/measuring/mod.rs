@@ -1,1 +1,21 @@
-//! Ask a form about itself: tangents, normals, frames, curvatures.
+//! Questions about a form, answered with a stated accuracy.
+
+mod curvature;
+mod curve_frame;
+mod guarded;
+mod local;
+mod normal_form;
+mod normals;
+mod rotation_minimising;
+mod surface_frame;
+mod tangent_form;
+mod vector;
+mod volume_frame;
+
+pub use curvature::{Curvature, curvature};
+pub use curve_frame::{CurveFrame, FrameKind, curve_frame, curve_frames};
+pub use normal_form::{binormal_form, normal_form};
+pub use normals::{normal_grid_into, normals_into};
+pub use surface_frame::{SurfaceCurvature, SurfaceFrame, surface_frame};
+pub use tangent_form::tangent_form;
+pub use volume_frame::{VolumeFrame, volume_frame};

@@ -1,0 +1,153 @@
+//! Frames, normals and curvatures of surfaces whose geometry is known.
+
+mod common;
+
+use common::{distance, family, moved, octant, torus};
+use pforms_kernel::Form;
+use pforms_operators::{
+    Curvature, curvature, normal_grid_into, normals_into, surface_frame, volume_frame,
+};
+
+const STEPS: [f64; 9] = [0.0, 1e-13, 1e-6, 0.1, 0.3, 0.5, 0.8, 1.0 - 1e-9, 1.0];
+
+#[test]
+fn a_sphere_bends_the_same_everywhere() {
+    for (radius, centre) in [(1.0, [0.0; 3]), (3.0, [0.0; 3]), (3.0, [5.0, -7.0, 11.0])] {
+        let sphere = moved(&octant(radius), centre);
+        let gauss = 1.0 / (radius * radius);
+        let (mut worst_gauss, mut worst_mean, mut worst_normal) = (0.0_f64, 0.0_f64, 0.0_f64);
+        for u in STEPS {
+            for v in STEPS {
+                let frame = surface_frame(&sphere, u, v).unwrap();
+                let bend = frame.curvature.unwrap();
+                let outward: Vec<f64> =
+                    (0..3).map(|k| (frame.point[k] - centre[k]) / radius).collect();
+                worst_normal = worst_normal.max(distance(
+                    &frame.normal.unwrap(),
+                    &outward.iter().map(|x| -x).collect::<Vec<_>>(),
+                ));
+                worst_gauss = worst_gauss.max((bend.gauss / gauss - 1.0).abs());
+                worst_mean = worst_mean.max((bend.mean * radius - 1.0).abs());
+            }
+        }
+        println!(
+            "r={radius} c={centre:?}: gauss {worst_gauss:.1e}, mean {worst_mean:.1e}, normal {worst_normal:.1e}"
+        );
+        assert!(worst_gauss < 1e-14 && worst_mean < 1e-14 && worst_normal < 1e-15);
+    }
+}
+
+#[test]
+fn normals_in_bulk_agree_with_frames_and_reach_the_pole() {
+    for surface in [octant(1.0), moved(&octant(2.0), [1.0, 2.0, -9.0]), torus(3.0, 1.0)] {
+        let mut grid = vec![0.0; STEPS.len() * STEPS.len() * 3];
+        normal_grid_into(&surface, &[&STEPS, &STEPS], &mut grid).unwrap();
+        let us: Vec<f64> = STEPS.iter().flat_map(|u| [*u; 9]).collect();
+        let vs: Vec<f64> = STEPS.repeat(STEPS.len());
+        let mut scattered = vec![0.0; grid.len()];
+        normals_into(&surface, &[&us, &vs], &mut scattered).unwrap();
+        assert_eq!(grid, scattered);
+        for (i, normal) in grid.chunks_exact(3).enumerate() {
+            let frame = surface_frame(&surface, us[i], vs[i]).unwrap();
+            assert!(distance(normal, &frame.normal.unwrap()) < 1e-14);
+        }
+    }
+}
+
+#[test]
+fn a_torus_bends_as_its_angle_says() {
+    let (big, small) = (3.0, 1.0);
+    let surface = torus(big, small);
+    for u in [0.0, 0.2, 0.5, 0.9, 1.0] {
+        for v in [0.0, 0.37, 1.0] {
+            let frame = surface_frame(&surface, u, v).unwrap();
+            let bend = frame.curvature.unwrap();
+            let away = frame.point[0].hypot(frame.point[1]);
+            let cosine = (away - big) / small;
+            let along = cosine / away;
+            assert!((bend.gauss - along / small).abs() < 1e-14);
+            assert!((bend.mean - (1.0 / small + along) / 2.0).abs() < 1e-14);
+            assert!((bend.principal[0] - 1.0 / small).abs() < 1e-14);
+            assert!((bend.principal[1] - along).abs() < 1e-14);
+            // The tube bends most around itself: along axis 0.
+            let [most, least] = bend.directions.unwrap();
+            let cosine = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(x, y)| x * y).sum::<f64>();
+            assert!((cosine(&most, &frame.tangents[0]).abs() - 1.0).abs() < 1e-14);
+            assert!((cosine(&least, &frame.tangents[1]).abs() - 1.0).abs() < 1e-14);
+            assert!(frame.first[1].abs() < 1e-13);
+            assert!((frame.area * frame.area - frame.first[0] * frame.first[2]).abs() < 1e-12);
+        }
+    }
+}
+
+#[test]
+fn a_cone_has_no_normal_change_along_its_rules_and_an_infinite_tip() {
+    // Profile from the tip (0, 0, 1) to (1, 0, 0).
+    let cone = common::revolved(&[[0.0, 1.0, 1.0], [1.0, 0.0, 1.0]]);
+    for v in [0.0, 0.25, 1.0] {
+        let tip = surface_frame(&cone, 0.0, v).unwrap();
+        let foot = surface_frame(&cone, 0.7, v).unwrap();
+        assert!(distance(&tip.tangents[0], &foot.tangents[0]) < 1e-15);
+        assert_eq!(tip.lengths[1], 0.0);
+        assert!(tip.curvature.unwrap().mean.is_infinite());
+        assert!(foot.curvature.unwrap().gauss.abs() < 1e-15);
+    }
+    let tip = surface_frame(&cone, 0.0, 0.0).unwrap().normal.unwrap();
+    let s = 0.5_f64.sqrt();
+    assert!(distance(&tip, &[s, 0.0, s]) < 1e-15);
+}
+
+#[test]
+fn signs_follow_the_true_point_when_weights_change_sign() {
+    // The same plane patch with one negative weight: derivatives of euclidean points decide.
+    let weights = [1.0, -0.5, 1.0, 1.0];
+    let points = [0., 0., 0., 0., 1., 0., 1., 0., 0., 1., 1., 0.];
+    let patch = Form::from_points(&[2, 2], 3, &points, Some(&weights)).unwrap();
+    let (u, v, h) = (0.2, 0.3, 1e-7);
+    let frame = surface_frame(&patch, u, v).unwrap();
+    let here = patch.at(&[u, v]).unwrap();
+    let there = patch.at(&[u, v + h]).unwrap();
+    let difference: Vec<f64> = there.iter().zip(&here).map(|(a, b)| (a - b) / h).collect();
+    assert!((distance(&difference, &[0.0; 3]) / frame.lengths[1] - 1.0).abs() < 1e-5);
+    assert!(difference.iter().zip(&frame.tangents[1]).map(|(a, b)| a * b).sum::<f64>() > 0.0);
+}
+
+#[test]
+fn planes_of_dimension_two_have_area_but_no_normal() {
+    let facet: Form =
+        Form::from_points(&[2, 2], 2, &[0., 0., 0., 2., 3., 0., 3., 2.], None).unwrap();
+    let frame = surface_frame(&facet, 0.5, 0.5).unwrap();
+    assert_eq!((frame.area, frame.normal.is_none()), (6.0, true));
+    assert_eq!(volume_frame(&facet, &[0.5, 0.5]).unwrap().jacobian, Some(6.0));
+}
+
+#[test]
+fn scale_by_a_power_of_two_changes_only_exponents() {
+    let (large, small) = (octant(2.0_f64.powi(60)), octant(1.0));
+    for (u, v) in [(0.3, 0.4), (1.0, 0.2)] {
+        let a = surface_frame(&large, u, v).unwrap();
+        let b = surface_frame(&small, u, v).unwrap();
+        assert_eq!(a.normal, b.normal);
+        assert_eq!(a.curvature.unwrap().mean * 2.0_f64.powi(60), b.curvature.unwrap().mean);
+    }
+}
+
+#[test]
+fn refusals() {
+    let collapsed: Form = Form::from_points(&[2, 2], 3, &[1.0; 12], None).unwrap();
+    assert_eq!(family(surface_frame(&collapsed, 0.5, 0.5)), "Degenerate");
+    let line: Form =
+        Form::from_points(&[2, 2], 3, &[0., 0., 0., 1., 0., 0., 1., 0., 0., 2., 0., 0.], None)
+            .unwrap();
+    assert_eq!(family(surface_frame(&line, 0.5, 0.5)), "Degenerate");
+    assert_eq!(family(normals_into(&line, &[&[0.5], &[0.5]], &mut [0.0; 3])), "Degenerate");
+    assert_eq!(family(surface_frame(&octant(1.0), f64::NAN, 0.5)), "Domain");
+    let vanishing: Form =
+        Form::from_homogeneous(&[2, 2], 3, [1., 0., 0., 1., 0., 1., 0., -1.].repeat(2)).unwrap();
+    assert_eq!(family(surface_frame(&vanishing, 0.5, 0.5)), "Domain");
+    assert_eq!(family(curvature(&collapsed, &[0.5])), "Shape");
+    let Curvature::Surface(bend) = curvature(&octant(2.0), &[0.5, 0.5]).unwrap() else {
+        panic!("a surface")
+    };
+    assert!((bend.gauss - 0.25).abs() < 1e-15);
+}
