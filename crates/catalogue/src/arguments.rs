@@ -1,5 +1,7 @@
 //! The arguments of a call, and how they find their parameters.
 
+use pforms_kernel::Error;
+
 use crate::catalogue::nearest;
 use crate::{Arithmetic, Bound, Failure, Language, Operator, Parameter, Takes, Value};
 
@@ -142,32 +144,20 @@ fn position_of(operator: &Operator, name: &str) -> Result<usize, Failure> {
 
 fn too_many(operator: &Operator, given: usize) -> Failure {
     let most = operator.parameters.len();
-    Failure::new(
-        "Shape",
-        format!(
-            "{given} arguments given, expected at most {most}: {}",
-            operator.signature(Language::English)
-        ),
-        format!(
-            "{given} arguments reçus, {most} attendus au plus : {}",
-            operator.signature(Language::French)
-        ),
-    )
+    let en = format!("at most {most}: {}", operator.signature(Language::English));
+    let fr = format!("au plus {most} : {}", operator.signature(Language::French));
+    let french = format!("arguments : reçu {given}, attendu {fr}");
+    Failure::of(Error::shape("arguments", given, en), french)
 }
 
 fn given_twice(parameter: &Parameter) -> Failure {
-    Failure::new(
-        "Shape",
-        format!("{} is given twice", parameter.name.en),
-        format!("{} est donné deux fois", parameter.name.fr),
-    )
+    let error = Error::shape(parameter.name.en, "two values", "one");
+    Failure::of(error, format!("{} : reçu deux valeurs, attendu une seule", parameter.name.fr))
 }
 
 fn not_given(operator: &Operator, parameter: &Parameter) -> Failure {
-    Failure::new(
-        "Shape",
-        format!("{} is missing, expected {}", parameter.name.en, parameter.takes.words().en),
-        format!("{} manque, attendu {}", parameter.name.fr, parameter.takes.words().fr),
-    )
-    .with_hint(operator.signature(Language::English), operator.signature(Language::French))
+    let words = parameter.takes.words();
+    let error = Error::shape(parameter.name.en, "nothing", words.en);
+    Failure::of(error, format!("{} : rien reçu, attendu {}", parameter.name.fr, words.fr))
+        .with_hint(operator.signature(Language::English), operator.signature(Language::French))
 }

@@ -57,7 +57,7 @@ impl<S: Arithmetic> Bound<S> {
         match value {
             Value::Form(form) => Ok(form.clone()),
             Value::List(items) if !items.is_empty() => crate::net::form_of_list(items),
-            Value::Immersed(lazy) => Ok(lazy.expand()?),
+            Value::Immersed(lazy) => crate::cost::expanded(lazy),
             Value::Piecewise(_) => Err(self.mistyped(index, value).with_hint(
                 "NET(…) gives the poles of all pieces, PIECE(…) one of them",
                 "RESEAU(…) donne les pôles de tous les morceaux, MORCEAU(…) l'un d'eux",

@@ -10,7 +10,7 @@ use crate::operator::{Call, Routine};
 use crate::{Arithmetic, Elementary, Failure};
 
 /// Digits of numerator and denominator together, in bits, before a number is refused.
-pub const BITS_CAP: u64 = 1 << 20;
+pub const BITS_CAP: u64 = 1 << 16;
 
 /// The largest power of ten in a literal.
 const EXPONENT_CAP: i64 = 5_000;

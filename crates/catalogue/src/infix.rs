@@ -6,6 +6,7 @@ use pforms_kernel::Form;
 use pforms_operators::{Piecewise, combine};
 
 use crate::arithmetic::quotient;
+use crate::cost::expanded;
 use crate::{Arithmetic, Failure, Language, Value};
 
 /// A sign between two values.
@@ -115,13 +116,17 @@ fn order<S: Arithmetic>(left: &Value<S>, right: &Value<S>) -> Option<Ordering> {
 fn arithmetic<S: Arithmetic>(sign: Infix, left: &Value<S>, right: &Value<S>) -> Outcome<S> {
     match (left, right) {
         (Value::Number(a), Value::Number(b)) => of_numbers(sign, a, b).map(Value::Number),
-        (Value::Immersed(lazy), other) => compute(sign, &Value::Form(lazy.expand()?), other),
-        (other, Value::Immersed(lazy)) => compute(sign, other, &Value::Form(lazy.expand()?)),
+        (Value::Immersed(lazy), other) => compute(sign, &Value::Form(expanded(lazy)?), other),
+        (other, Value::Immersed(lazy)) => compute(sign, other, &Value::Form(expanded(lazy)?)),
         (Value::List(items), Value::Form(form)) if form.axes() > 0 && left.is_points() => {
             of_forms(sign, &crate::net::form_of_list(items)?, form, left, right)
         }
         (Value::Form(form), Value::List(items)) if form.axes() > 0 && right.is_points() => {
             of_forms(sign, form, &crate::net::form_of_list(items)?, left, right)
+        }
+        (Value::List(a), Value::List(b)) if left.is_points() && right.is_points() => {
+            let (a, b) = (crate::net::form_of_list(a)?, crate::net::form_of_list(b)?);
+            of_forms(sign, &a, &b, left, right)
         }
         (Value::List(a), Value::List(b)) if a.len() == b.len() => {
             let pairs = a.iter().zip(b);

@@ -13,6 +13,7 @@ mod arguments;
 mod arithmetic;
 mod bound;
 mod catalogue;
+mod cost;
 mod display;
 mod elementary;
 mod entries;

@@ -3,16 +3,17 @@
 use pforms_kernel::{Form, Rational};
 use pforms_operators as operators;
 
-use super::{AXIS, FORM, Outcome, PLAIN, workable};
+use super::{AXIS, FORM, Outcome, PLAIN};
+use crate::cost::{multipliable, workable};
 use crate::operator::{Group, call};
 use crate::parameter::Fallback;
 use crate::words::words;
-use crate::{Arithmetic, Bound, Failure, Operator, Parameter, Takes, Value};
+use crate::{Arithmetic, Bound, Failure, LIST_CAP, Operator, Parameter, Takes, Value};
 
 const FUNDAMENTAL: Operator = Operator { group: Group::Fundamental, ..PLAIN };
 
 /// The highest derivative a sheet asks for along an axis.
-const DERIVATIVE_CAP: f64 = 64.0;
+const DERIVATIVE_CAP: f64 = 16.0;
 
 const PARAMETERS: Parameter = Parameter::new(
     Takes::Numbers,
@@ -128,7 +129,7 @@ pub(super) static ENTRIES: &[Operator] = &[
         parameters: &[FORM, AXIS.or(Fallback::Ratio(0, 1))],
         example: "=HODOGRAPH([(0, 0), (1, 2), (2, 0)])",
         source: "course, hodographe",
-        see: &["derivative", "tangent"],
+        see: &["derivative", "tangent_form"],
         call: call!(hodograph),
         ..FUNDAMENTAL
     },
@@ -206,9 +207,12 @@ fn point_at<S: Arithmetic>(a: &Bound<S>, parameters: &[Value<S>]) -> Outcome<S> 
 fn grid<S: Arithmetic>(a: &Bound<S>) -> Outcome<S> {
     let form = a.form(0)?;
     let counts = a.wholes(1, form.axes())?;
-    pforms_kernel::limit::check::<S>("the grid", &counts, form.width())?;
-    let mut points = Vec::new();
-    for flat in 0..counts.iter().product() {
+    let total = counts.iter().try_fold(1usize, |product, &count| product.checked_mul(count));
+    let Some(total) = total.filter(|&total| total <= LIST_CAP) else {
+        return Err(a.refused(1, &a.value(1), words("fewer points", "moins de points")));
+    };
+    let mut points = Vec::with_capacity(total * form.ambient());
+    for flat in 0..total {
         points.extend(form.at(&parameters_of(flat, &counts))?);
     }
     Ok(Form::from_points(&counts, form.ambient(), &points, None)?.into())
@@ -231,12 +235,12 @@ fn parameters_of<S: Arithmetic>(flat: usize, counts: &[usize]) -> Vec<S> {
 }
 
 fn derivative<S: Arithmetic>(a: &Bound<S>) -> Outcome<S> {
-    let form = workable(a.form(0)?)?;
+    let form = multipliable(a.form(0)?)?;
     Ok(operators::derivative(&form, &a.wholes(1, form.axes())?)?.into())
 }
 
 fn hodograph<S: Arithmetic>(a: &Bound<S>) -> Outcome<S> {
-    Ok(operators::hodograph(&workable(a.form(0)?)?, a.whole(1)?)?.into())
+    Ok(operators::hodograph(&multipliable(a.form(0)?)?, a.whole(1)?)?.into())
 }
 
 fn blossom<S: Arithmetic>(a: &Bound<S>) -> Outcome<S> {

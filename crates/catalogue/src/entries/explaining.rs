@@ -4,6 +4,7 @@ use pforms_kernel::{Error, Form, Kind, Rational, bernstein_row, pascal_row};
 use pforms_operators as operators;
 
 use super::{Outcome, PLAIN, T, list_of_numbers};
+use crate::cost::require_readable;
 use crate::operator::{Group, call};
 use crate::words::words;
 use crate::{Arguments, Arithmetic, Bound, Failure, Operator, Parameter, Takes, Value};
@@ -117,6 +118,7 @@ fn explain<S: Arithmetic>(a: &Bound<S>) -> Outcome<S> {
             template.push(Some(exactly(value).ok_or_else(|| a.mistyped(1, value))?));
         }
     }
+    require_readable(&kinds)?;
     let run = |forms: &[Form<Rational>]| {
         let mut forms = forms.iter().cloned();
         let fill = |slot: &Option<Value<Rational>>| {

@@ -5,6 +5,7 @@ use pforms_operators as operators;
 use pforms_operators::Immersed;
 
 use super::{Outcome, PLAIN, list_of_forms, list_of_numbers};
+use crate::cost::require_immersible;
 use crate::operator::{Group, call};
 use crate::parameter::Fallback;
 use crate::words::words;
@@ -196,6 +197,7 @@ fn immerse<S: Arithmetic>(a: &Bound<S>) -> Outcome<S> {
     if a.boolean(2)? {
         return Ok(Value::Immersed(Immersed::new(inner, host)?));
     }
+    require_immersible(&inner, &host, 1)?;
     Ok(operators::immerse(&inner, &host)?.into())
 }
 
@@ -282,6 +284,9 @@ fn tile<S: Arithmetic>(a: &Bound<S>) -> Outcome<S> {
         let error = Error::domain("counts", format!("{counts:?}"), "fewer copies");
         let french = format!("nombres : reçu {counts:?}, attendu moins de copies");
         return Err(Failure::of(error, french));
+    }
+    for form in &motif {
+        require_immersible(form, &cage, counts.iter().product())?;
     }
     Ok(list_of_forms(operators::tile(&motif, &cage, &counts)?))
 }

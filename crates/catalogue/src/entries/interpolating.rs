@@ -4,7 +4,8 @@ use pforms_kernel::{Form, Rational};
 use pforms_operators as operators;
 use pforms_operators::{FitOptions, Nodes, Parameters};
 
-use super::{Outcome, PLAIN, part, workable};
+use super::{Outcome, PLAIN, part};
+use crate::cost::workable;
 use crate::operator::{Group, call};
 use crate::parameter::Fallback;
 use crate::words::words;

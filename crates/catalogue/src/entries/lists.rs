@@ -5,7 +5,7 @@ use pforms_kernel::{Error, Form, Rational};
 use super::{Outcome, PLAIN, number};
 use crate::operator::{Group, call};
 use crate::words::words;
-use crate::{Arithmetic, Bound, Failure, LIST_CAP, Operator, Parameter, Takes, Value};
+use crate::{Arithmetic, Bound, Failure, LIST_CAP, Operator, Parameter, Takes, Value, Words};
 
 const OF_LISTS: Operator = Operator { group: Group::Lists, gives: Takes::List, ..PLAIN };
 
@@ -113,10 +113,7 @@ pub(super) static ENTRIES: &[Operator] = &[
 fn item<S: Arithmetic>(a: &Bound<S>) -> Outcome<S> {
     match (a.value(0), a.value(1)) {
         (Value::List(items), Value::Number(_)) => Ok(items[position(a, items.len())?].clone()),
-        (Value::Record(entries), Value::Text(name)) => {
-            let found = entries.iter().find(|(known, _)| known.matches(&name));
-            found.map(|(_, value)| value.clone()).ok_or_else(|| no_entry(&entries, &name))
-        }
+        (Value::Record(entries), Value::Text(name)) => entry(&entries, &name),
         (Value::Form(form), Value::Number(_)) if form.axes() > 0 => {
             let row = form.orders()[0];
             let index = position(a, row)?;
@@ -135,6 +132,12 @@ fn item<S: Arithmetic>(a: &Bound<S>) -> Outcome<S> {
             words("a list, a form or a record", "une liste, une forme ou une fiche"),
         )),
     }
+}
+
+/// The entry of this name, in either language.
+pub(super) fn entry<S: Arithmetic>(entries: &[(Words, Value<S>)], name: &str) -> Outcome<S> {
+    let found = entries.iter().find(|(known, _)| known.matches(name));
+    found.map(|(_, value)| value.clone()).ok_or_else(|| no_entry(entries, name))
 }
 
 /// The place of the index in a list of `length`, counted from the end when it is negative.
@@ -159,12 +162,12 @@ fn position<S: Arithmetic>(a: &Bound<S>, length: usize) -> Result<usize, Failure
     }
 }
 
-fn no_entry<S>(entries: &[(crate::Words, Value<S>)], name: &str) -> Failure {
-    let names = |pick: fn(&crate::Words) -> &'static str| {
+fn no_entry<S>(entries: &[(Words, Value<S>)], name: &str) -> Failure {
+    let names = |pick: fn(&Words) -> &'static str| {
         entries.iter().map(|(known, _)| pick(known)).collect::<Vec<_>>().join(", ")
     };
-    let error = Error::shape("index", format!("“{name}”"), names(|known| known.en));
-    Failure::of(error, format!("indice : reçu « {name} », attendu {}", names(|known| known.fr)))
+    let error = Error::shape("entry", format!("“{name}”"), names(|known| known.en));
+    Failure::of(error, format!("entrée : reçu « {name} », attendu {}", names(|known| known.fr)))
 }
 
 fn count<S: Arithmetic>(a: &Bound<S>) -> Outcome<S> {

@@ -4,6 +4,7 @@ mod conditions;
 mod evaluating;
 mod explaining;
 mod forms;
+mod framing;
 mod gestures;
 mod immersing;
 mod interpolating;
@@ -12,7 +13,7 @@ mod numbers;
 mod pieces;
 mod windows;
 
-use pforms_kernel::{Error, Form};
+use pforms_kernel::Form;
 
 use crate::operator::Group;
 use crate::words::words;
@@ -26,6 +27,7 @@ pub(crate) fn all() -> Vec<Operator> {
         explaining::ENTRIES,
         windows::ENTRIES,
         evaluating::ENTRIES,
+        framing::ENTRIES,
         interpolating::ENTRIES,
         immersing::ENTRIES,
         forms::ENTRIES,
@@ -101,22 +103,4 @@ fn list_of_numbers<S: Arithmetic>(numbers: impl IntoIterator<Item = S>) -> Value
 
 fn number<S: Arithmetic>(count: usize) -> Value<S> {
     Value::Number(S::from_integer(count as i64))
-}
-
-/// Orders above this make dense matrices that nobody waits for.
-const ORDER_CAP: usize = 1024;
-
-/// Refuses forms of absurd orders where the work grows with a power of the order.
-fn workable<S: Arithmetic>(form: Form<S>) -> Result<Form<S>, Failure> {
-    match form.orders().iter().find(|&&order| order > ORDER_CAP) {
-        None => Ok(form),
-        Some(order) => {
-            let expected = format!("at most {ORDER_CAP} poles along an axis");
-            let error = Error::domain("form", format!("an order of {order}"), expected);
-            let french = format!(
-                "forme : reçu un ordre de {order}, attendu au plus {ORDER_CAP} pôles par axe"
-            );
-            Err(Failure::of(error, french))
-        }
-    }
 }

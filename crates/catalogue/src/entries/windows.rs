@@ -3,7 +3,8 @@
 use pforms_kernel::Rational;
 use pforms_operators as operators;
 
-use super::{AXIS, FORM, Outcome, PLAIN, T, list_of_forms, part, workable};
+use super::{AXIS, FORM, Outcome, PLAIN, T, list_of_forms, part};
+use crate::cost::workable;
 use crate::operator::{Group, call};
 use crate::parameter::Fallback;
 use crate::words::words;

@@ -1,0 +1,81 @@
+//! Work that nobody would wait for is refused before it begins.
+//!
+//! The kernel caps what a result may occupy. A sheet is also typed in by hand, where a slip of the
+//! finger must not stop it, so here the time is capped too: to about a minute in floating mode, and
+//! as roughly in exact mode. Rust and Python may go beyond.
+
+use pforms_kernel::{Error, Form, Kind};
+use pforms_operators::Immersed;
+
+use crate::{Arithmetic, Failure};
+
+/// Multiplications that one call may take.
+fn cap<S: Arithmetic>() -> f64 {
+    if S::EXACT { 1e8 } else { 5e10 }
+}
+
+/// The form, if a dense matrix may act along each of its axes: `order³` to make one.
+pub(crate) fn workable<S: Arithmetic>(form: Form<S>) -> Result<Form<S>, Failure> {
+    let cube = |order: &usize| (*order as f64).powi(3);
+    require::<S>(form.orders().iter().map(cube).sum())?;
+    Ok(form)
+}
+
+/// The form, if it may be multiplied by itself a few times: `poles²`, and growing.
+pub(crate) fn multipliable<S: Arithmetic>(form: Form<S>) -> Result<Form<S>, Failure> {
+    let poles = form.pole_count() as f64;
+    require::<S>(64.0 * poles * poles * form.width() as f64)?;
+    Ok(form)
+}
+
+/// Passes if `inner` may be immersed in `host`, `copies` times.
+pub(crate) fn require_immersible<S: Arithmetic>(
+    inner: &Form<S>,
+    host: &Form<S>,
+    copies: usize,
+) -> Result<(), Failure> {
+    let size = |degree: usize| -> f64 {
+        inner.orders().iter().map(|order| (degree * (order - 1) + 1) as f64).product()
+    };
+    let mut work = 0.0;
+    let mut done = 0;
+    for axis in (0..host.axes()).rev() {
+        let degree = host.orders()[axis] - 1;
+        let products: f64 = host.orders()[..=axis].iter().map(|&order| order as f64).product();
+        work += products * size(done) * size(degree) * host.width() as f64;
+        done += degree;
+    }
+    require::<S>(work * copies as f64)
+}
+
+/// The poles of an immersed form that was kept unexpanded.
+pub(crate) fn expanded<S: Arithmetic>(lazy: &Immersed<S>) -> Result<Form<S>, Failure> {
+    require_immersible(lazy.inner(), lazy.host(), 1)?;
+    Ok(lazy.expand()?)
+}
+
+/// Poles whose coefficients EXPLAIN can print on a few pages.
+const EXPLAINED: f64 = 400.0;
+
+/// Passes if the coefficients of all poles fit on pages that somebody reads.
+pub(crate) fn require_readable(kinds: &[Kind]) -> Result<(), Failure> {
+    let poles = |kind: &Kind| kind.orders().iter().map(|&order| order as f64).product::<f64>();
+    let total: f64 = kinds.iter().map(poles).sum();
+    if total <= EXPLAINED {
+        return Ok(());
+    }
+    let error = Error::domain("kinds", format!("{total} poles"), format!("at most {EXPLAINED}"));
+    Err(Failure::of(error, format!("genres : reçu {total} pôles, attendu au plus {EXPLAINED}")))
+}
+
+fn require<S: Arithmetic>(work: f64) -> Result<(), Failure> {
+    let cap = cap::<S>();
+    if work <= cap {
+        return Ok(());
+    }
+    Err(Failure::new(
+        "Limit",
+        format!("about {work:.0e} multiplications: refused, the cap is {cap:.0e}"),
+        format!("environ {work:.0e} multiplications : refusé, le plafond est {cap:.0e}"),
+    ))
+}
