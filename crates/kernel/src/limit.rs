@@ -2,7 +2,7 @@
 
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use crate::{Error, Result};
+use crate::{Error, Result, Scalar};
 
 /// The cap that holds until somebody changes it: 1 GiB for one result.
 pub const DEFAULT_CAP: u64 = 1 << 30;
@@ -35,6 +35,23 @@ pub fn check<S>(what: &str, orders: &[usize], width: usize) -> Result<usize> {
     }
     let orders: Vec<String> = orders.iter().map(usize::to_string).collect();
     Err(Error::Limit { what: format!("{what} would have {} poles", orders.join("×")), bytes, cap })
+}
+
+/// The highest degree whose binomials are all finite `f64`s: `C(1029, 514)` is the last.
+pub const HIGHEST_FLOATING_DEGREE: usize = 1029;
+
+/// Complains about a degree whose binomials overflow; exact arithmetic has no such limit.
+///
+/// Errors: `Accuracy` above [`HIGHEST_FLOATING_DEGREE`].
+pub fn check_degree<S: Scalar>(degree: usize) -> Result<()> {
+    if S::EXACT || degree <= HIGHEST_FLOATING_DEGREE {
+        return Ok(());
+    }
+    Err(Error::accuracy(
+        "degree",
+        degree,
+        format!("at most {HIGHEST_FLOATING_DEGREE} in floating arithmetic"),
+    ))
 }
 
 /// A size a person can read: `630 kB`, `84 GB`.

@@ -19,10 +19,11 @@ pub struct Scaled<S = f64> {
 impl<S: Scalar> Scaled<S> {
     /// The zero polynomial of these degrees, with `width` components.
     ///
-    /// Errors: `Limit` above the cap.
+    /// Errors: `Limit` above the cap, `Accuracy` where binomials overflow.
     pub fn zero(degrees: &[usize], width: usize) -> Result<Self> {
         let orders: Vec<usize> = degrees.iter().map(|degree| degree + 1).collect();
         let count = limit::check::<S>("the product", &orders, width)?;
+        require_degrees::<S>(degrees)?;
         Ok(Self { degrees: degrees.to_vec(), width, coefficients: vec![S::zero(); count] })
     }
 
@@ -205,6 +206,7 @@ impl<S: Scalar> Scaled<S> {
                 "a coordinate and a weight at least",
             ));
         }
+        require_degrees::<S>(&self.degrees)?;
         self.rescale(|scaled, binomial| scaled / binomial);
         let orders: Vec<usize> = self.degrees.iter().map(|degree| degree + 1).collect();
         Form::from_homogeneous(&orders, self.width - 1, self.coefficients)
@@ -260,6 +262,10 @@ impl<S: Scalar> Scaled<S> {
             inner *= degree + 1;
         }
     }
+}
+
+fn require_degrees<S: Scalar>(degrees: &[usize]) -> Result<()> {
+    degrees.iter().try_for_each(|&degree| limit::check_degree::<S>(degree))
 }
 
 /// Position of every index `(i₀, i₁, …)`, each up to its degree, in an array of these strides.

@@ -282,6 +282,12 @@ fn what_does_not_fit_is_refused_with_the_sizes() {
     let flat = Form::from_points(&[2], 3, &[0., 0., 0., 1., 1., 0.], None).unwrap();
     assert_eq!(immerse(&flat, &host).unwrap(), diagonal(&host, 0, 1).unwrap());
 
+    let line = random.rough_form(&[32], 2, Weights::One);
+    let net = random.rough_form(&[40, 40], 3, Weights::One);
+    let error = immerse(&line, &net).unwrap_err();
+    assert_eq!(error.family(), "Accuracy");
+    assert!(error.to_string().contains("received 1"), "{error}");
+
     let large = random.rough_form(&[40, 40, 40], 3, Weights::One);
     let huge = random.rough_form(&[60, 60, 60], 3, Weights::One);
     let error = immerse(&large, &huge).unwrap_err();

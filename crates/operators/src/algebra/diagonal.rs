@@ -19,12 +19,9 @@ use pforms_kernel::{Error, Form, Result, Scalar, Scaled};
 /// # Ok::<(), pforms_kernel::Error>(())
 /// ```
 pub fn diagonal<S: Scalar>(form: &Form<S>, first: usize, second: usize) -> Result<Form<S>> {
-    if form.axes() < 2 || first == second {
-        return Err(Error::shape(
-            "axes",
-            format!("({first}, {second}) of a {}", form.kind()),
-            "two different axes of a form that has at least two",
-        ));
+    require_two_axes(form)?;
+    if first == second {
+        return Err(Error::shape("axes", format!("({first}, {second})"), "two different axes"));
     }
     form.require_axis(first)?;
     form.require_axis(second)?;
@@ -40,9 +37,17 @@ pub fn diagonal<S: Scalar>(form: &Form<S>, first: usize, second: usize) -> Resul
 ///
 /// Errors: as [`diagonal`]; a form of fewer than two axes has no diagonal.
 pub fn diagonal_all<S: Scalar>(form: &Form<S>) -> Result<Form<S>> {
-    let mut curve = diagonal(form, form.axes().wrapping_sub(2), form.axes().wrapping_sub(1))?;
+    require_two_axes(form)?;
+    let mut curve = form.clone();
     while curve.axes() > 1 {
         curve = diagonal(&curve, curve.axes() - 2, curve.axes() - 1)?;
     }
     Ok(curve)
+}
+
+fn require_two_axes<S: Scalar>(form: &Form<S>) -> Result<()> {
+    if form.axes() >= 2 {
+        return Ok(());
+    }
+    Err(Error::shape("form", format!("a {}", form.kind()), "a form with at least two axes"))
 }

@@ -36,10 +36,11 @@ pub fn elevate<S: Scalar>(form: &Form<S>, by: &[usize]) -> Result<Form<S>> {
 
 /// The matrix that raises a degree by `by`: `degree + by + 1` rows, `degree + 1` columns.
 ///
-/// Errors: `Limit` when it is larger than the cap.
+/// Errors: `Limit` when it is larger than the cap, `Accuracy` where binomials overflow.
 pub fn elevation_matrix<S: Scalar>(degree: usize, by: usize) -> Result<Matrix<S>> {
     let raised = degree.saturating_add(by);
     limit::check::<S>("the elevation matrix", &[raised, degree + 1], 1)?;
+    limit::check_degree::<S>(raised)?;
     let (old, gap, new) = (pascal_row::<S>(degree), pascal_row::<S>(by), pascal_row::<S>(raised));
     Ok(Matrix::from_rule(raised + 1, degree + 1, |i, j| {
         if j > i || i - j > by {
