@@ -1,4 +1,5 @@
 //! Copies, names, insertions and poles.
+#![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test that cannot go on must stop")]
 
 mod common;
 

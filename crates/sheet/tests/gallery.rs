@@ -1,4 +1,5 @@
 //! The figures of the book, computed; the octant and the arc of Viviani among them.
+#![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test that cannot go on must stop")]
 
 mod common;
 

@@ -1,9 +1,11 @@
 //! Undo, redo, gestures, and what survives a crash.
+#![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test that cannot go on must stop")]
 
 mod common;
 
 use common::{at, drawn};
-use pforms_sheet::{Entry, Range, Settings, Sheet, Target};
+use pforms_catalogue::Language;
+use pforms_sheet::{Entry, Range, Settings, Sheet, Snapshot, Target};
 use proptest::prelude::*;
 
 fn range(text: &str) -> Range {
@@ -98,7 +100,7 @@ fn act(sheet: &mut Sheet, gesture: Gesture) {
 /// All that is shown, to compare a sheet with one computed from its file.
 fn everything(sheet: &mut Sheet) -> serde_json::Value {
     sheet.recalculate_all();
-    let mut json = sheet.to_json(Default::default());
+    let mut json = sheet.to_json(Language::English);
     for cell in json["cells"].as_object_mut().unwrap().values_mut() {
         cell["cost"]["seconds"] = serde_json::Value::Null;
     }
@@ -190,7 +192,7 @@ fn a_damaged_snapshot_is_refused() {
     assert!(Sheet::<f64>::recover(&snapshot, &[]).is_err());
     let log = Entry::read_lines(r#"{"step":[{"edit":"camera","settings":{"zoom":null}}]}"#);
     assert_eq!(log.len(), 1);
-    assert!(Sheet::<f64>::recover(&Default::default(), &log).is_err());
+    assert!(Sheet::<f64>::recover(&Snapshot::default(), &log).is_err());
     let name = Entry::read_lines(r#"{"step":[{"edit":"name","name":"A1","target":"A1"}]}"#);
     assert!(Sheet::<f64>::recover(&sheet.snapshot(), &name).is_err());
     assert!(Entry::read_lines(r#"{"step":[{"edit":"cell","at":"A0","text":""}]}"#).is_empty());

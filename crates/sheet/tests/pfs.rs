@@ -1,4 +1,5 @@
 //! The file format: what we write comes back, and what is damaged is named by line and column.
+#![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test that cannot go on must stop")]
 
 use std::path::PathBuf;
 

@@ -1,8 +1,10 @@
 //! What is computed again, and in what order.
+#![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test that cannot go on must stop")]
 
 mod common;
 
 use common::{at, drawn, shown, text};
+use pforms_catalogue::Language;
 use pforms_sheet::{Cancel, Report, Sheet};
 
 fn changed(report: &Report) -> String {
@@ -204,14 +206,14 @@ fn a_budget_stops_and_goes_on() {
     let token = Cancel::new().with_budget(10.0);
     let first = sheet.recalculate(&token);
     assert!(first.remaining > 0 && !first.changed.is_empty());
-    assert!(sheet.info(at("A20"), Default::default()).pending);
+    assert!(sheet.info(at("A20"), Language::English).pending);
     let mut rounds = 1;
     while sheet.recalculate(&token).remaining > 0 {
         rounds += 1;
     }
     assert!((2..20).contains(&rounds), "{rounds}");
     assert_eq!(text(&sheet, "A20"), "2");
-    assert_eq!(sheet.info(at("A20"), Default::default()).cost.seconds, Some(1.0));
+    assert_eq!(sheet.info(at("A20"), Language::English).cost.seconds, Some(1.0));
     let none = sheet.recalculate(&Cancel::new().with_budget(0.0));
     assert_eq!(none.changed.len(), 0);
 }
@@ -267,4 +269,12 @@ fn a_chain_typed_backwards_takes_no_longer() {
     sheet.set(at("A1"), "1");
     assert_eq!(sheet.recalculate_all().changed.first(), Some(&at("A1")));
     assert_eq!(text(&sheet, "A50000"), "50000");
+}
+
+#[test]
+fn a_sheet_may_go_to_another_thread() {
+    fn goes<T: Send + Sync>() {}
+    goes::<Sheet>();
+    goes::<Sheet<pforms_kernel::Rational>>();
+    goes::<Cancel>();
 }

@@ -39,7 +39,7 @@ impl Eval {
     fn compute<S: Arithmetic>(&self) -> Outcome {
         let document = pfs::read_bytes(&files::read(&self.file)?);
         let document =
-            document.map_err(|error| in_file(&self.file.display().to_string(), error))?;
+            document.map_err(|error| files::in_file(&self.file.display().to_string(), error))?;
         let mut sheet = Sheet::<S>::from(document);
         sheet.recalculate_all();
         let language = self.lang.into();
@@ -75,11 +75,16 @@ fn overview<S: Arithmetic>(sheet: &Sheet<S>, language: Language) -> Vec<String> 
         let info = sheet.info(at, language);
         let text = match &info.error {
             Some(failure) => poles::complaint(failure, language),
-            None => info.text,
+            None => without_kind(&info.text, &info.kind).to_owned(),
         };
         vec![at.to_string(), info.kind, text]
     };
     print::table(&sheet.addresses().map(row).collect::<Vec<_>>())
+}
+
+/// The short value without the kind it begins with, which has a column of its own.
+fn without_kind<'a>(text: &'a str, kind: &str) -> &'a str {
+    text.strip_prefix(kind).and_then(|rest| rest.strip_prefix(" · ")).unwrap_or(text)
 }
 
 fn chosen<S: Arithmetic>(
@@ -102,14 +107,4 @@ fn in_full<S: Arithmetic>(sheet: &Sheet<S>, at: Address, language: Language) -> 
         }
     }
     lines
-}
-
-/// The error of a file, its name in the place of the word "sheet".
-fn in_file(name: &str, error: Error) -> Error {
-    match error {
-        Error::Format { place, message, .. } => {
-            Error::Format { what: name.to_owned(), place, message }
-        }
-        other => other,
-    }
 }

@@ -3,6 +3,8 @@
 use std::io::Read;
 use std::path::Path;
 
+use pforms_kernel::Error;
+
 /// Largest file that is read: 256 MiB.
 const CAP: u64 = 1 << 28;
 
@@ -20,4 +22,19 @@ pub(crate) fn read(path: &Path) -> Result<Vec<u8>, Box<dyn std::error::Error>> {
         return Err(format!("{}: larger than {CAP} bytes: refused", path.display()).into());
     }
     Ok(bytes)
+}
+
+/// Writes a file. Complaints name it.
+pub(crate) fn write(path: &Path, bytes: &[u8]) -> Result<(), Box<dyn std::error::Error>> {
+    std::fs::write(path, bytes).map_err(|error| format!("{}: {error}", path.display()).into())
+}
+
+/// The error of a file, its name in the place of the word "sheet".
+pub(crate) fn in_file(name: &str, error: Error) -> Error {
+    match error {
+        Error::Format { place, message, .. } => {
+            Error::Format { what: name.to_owned(), place, message }
+        }
+        other => other,
+    }
 }

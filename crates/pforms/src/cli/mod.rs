@@ -3,9 +3,13 @@
 //! Answers go to standard output, complaints to standard error. The exit code is 0, or 1 when
 //! something asked for could not be had, or 2 for a command that was not understood.
 
+mod convert;
+mod draw;
 mod eval;
 mod files;
+mod input;
 mod operators;
+mod output;
 mod poles;
 mod print;
 
@@ -25,6 +29,8 @@ struct Line {
 #[derive(Subcommand)]
 enum Command {
     Eval(eval::Eval),
+    Draw(Box<draw::Draw>),
+    Convert(convert::Convert),
     Operators(operators::Operators),
 }
 
@@ -52,6 +58,8 @@ type Outcome = Result<bool, Box<dyn std::error::Error>>;
 pub(crate) fn run() -> ExitCode {
     let outcome = match Line::parse().command {
         Command::Eval(command) => command.run(),
+        Command::Draw(command) => command.run(),
+        Command::Convert(command) => command.run(),
         Command::Operators(command) => command.run(),
     };
     match outcome {

@@ -81,7 +81,7 @@ impl Graph {
 
     fn unlink(&mut self, at: Address) {
         let Some(mentions) = self.mentions.remove(&at) else { return };
-        for cell in &mentions.cells {
+        for &cell in &mentions.cells {
             remove_user(&mut self.users, cell, at);
         }
         for &range in &mentions.ranges {
@@ -166,10 +166,10 @@ impl Graph {
         let mut waiting = VecDeque::from([start]);
         while let Some(node) = waiting.pop_front() {
             for next in self.next(node).into_iter().filter(|next| inside.contains(next)) {
-                if !came_from.contains_key(&next) {
-                    came_from.insert(next, node);
+                came_from.entry(next).or_insert_with(|| {
                     waiting.push_back(next);
-                }
+                    node
+                });
             }
             if came_from.contains_key(&start) {
                 break;
@@ -205,11 +205,11 @@ impl Node {
     }
 }
 
-fn remove_user(users: &mut HashMap<Address, BTreeSet<Address>>, cell: &Address, user: Address) {
-    if let Some(set) = users.get_mut(cell) {
+fn remove_user(users: &mut HashMap<Address, BTreeSet<Address>>, cell: Address, user: Address) {
+    if let Some(set) = users.get_mut(&cell) {
         set.remove(&user);
         if set.is_empty() {
-            users.remove(cell);
+            users.remove(&cell);
         }
     }
 }

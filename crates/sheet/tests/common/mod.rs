@@ -1,5 +1,5 @@
 //! Little sheets, drawn as text: one line for each cell, `A1: source`.
-#![allow(dead_code, reason = "each test file takes what it needs")]
+#![allow(dead_code, unreachable_pub, reason = "each test file takes what it needs")]
 
 use pforms_catalogue::{Arithmetic, Language};
 use pforms_sheet::{Address, Sheet};
