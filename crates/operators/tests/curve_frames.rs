@@ -1,4 +1,5 @@
 //! Frames of curves whose geometry is known.
+#![allow(clippy::unwrap_used)]
 
 mod common;
 

@@ -1,4 +1,5 @@
 //! Least squares against laws and exact arithmetic.
+#![allow(clippy::unwrap_used)]
 
 mod common;
 
@@ -64,7 +65,7 @@ fn scattered_points_give_it_back() {
         let form = random_form(2, &orders, 3);
         let mut next = noise(9);
         let lists: Vec<Vec<f64>> =
-            orders.iter().map(|_| (0..60).map(|_| (next() + 1.0) / 2.0).collect()).collect();
+            orders.iter().map(|_| (0..60).map(|_| f64::midpoint(next(), 1.0)).collect()).collect();
         let views: Vec<&[f64]> = lists.iter().map(Vec::as_slice).collect();
         let points = form.scattered(&views).unwrap();
         let options =
@@ -127,7 +128,8 @@ fn agrees_with_exact_arithmetic() {
         let errors = fitted.iter().zip(&exact).map(|(a, b)| (a - b.to_f64()).abs() / size);
         let worst = errors.fold(0.0, f64::max);
         println!("order {order}: {worst:.1e}");
-        assert!(worst < 1e-13);
+        // The condition of the Bernstein matrix doubles with each order.
+        assert!(worst < 1e-15 * 2.0_f64.powi(order as i32));
     }
 }
 

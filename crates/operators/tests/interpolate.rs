@@ -1,4 +1,5 @@
 //! Interpolation against exact arithmetic.
+#![allow(clippy::unwrap_used)]
 
 use pforms_kernel::{Form, Rational, Scalar, bernstein_row};
 use pforms_operators::{Nodes, interpolate, interpolate_homogeneous};

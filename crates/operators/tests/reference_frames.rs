@@ -1,4 +1,5 @@
 //! Frames and interpolations of the original system, checked there against exact arithmetic.
+#![allow(clippy::unwrap_used)]
 
 mod common;
 

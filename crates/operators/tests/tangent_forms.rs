@@ -1,4 +1,5 @@
 //! Tangents and normals that are forms: exact laws.
+#![allow(clippy::unwrap_used)]
 
 use pforms_kernel::{Form, Rational, Scalar};
 use pforms_operators::{binormal_form, normal_form, tangent_form};

@@ -82,7 +82,9 @@ impl Grid<'_> {
             let total = lengths[count - 1];
             if total > 0.0 {
                 lines += 1.0;
-                sums.iter_mut().zip(&lengths).for_each(|(sum, length)| *sum += length / total);
+                for (sum, length) in sums.iter_mut().zip(&lengths) {
+                    *sum += length / total;
+                }
             }
         }
         if lines == 0.0 {
@@ -92,7 +94,9 @@ impl Grid<'_> {
                 "distinct points, or uniform or given parameters",
             ));
         }
-        sums.iter_mut().for_each(|sum| *sum /= lines);
+        for sum in &mut sums {
+            *sum /= lines;
+        }
         sums[count - 1] = 1.0;
         Ok(sums)
     }

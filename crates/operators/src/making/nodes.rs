@@ -88,7 +88,7 @@ mod tests {
                 let list = nodes.on_axis(0, order).unwrap();
                 assert!(list.windows(2).all(|pair| pair[0] < pair[1]));
                 for (a, b) in list.iter().zip(list.iter().rev()) {
-                    assert_eq!(*a.max(b), 1.0 - a.min(*b));
+                    assert_eq!(a.max(*b), 1.0 - a.min(*b));
                 }
             }
         }

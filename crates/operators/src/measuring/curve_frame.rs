@@ -191,7 +191,7 @@ impl Station {
             normal: None,
             binormal: None,
             speed,
-            bend: self.leaving.as_ref().map_or(0.0, |leaving| leaving.bend()),
+            bend: self.leaving.as_ref().map_or(0.0, Leaving::bend),
             curvature: self.curvature(),
             torsion: (self.point.len() == 3).then(|| self.torsion()),
         }

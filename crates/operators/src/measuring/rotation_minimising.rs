@@ -21,7 +21,7 @@ pub(crate) fn rotation_minimising(
     parameters: &[f64],
     accuracy: f64,
 ) -> Result<Vec<CurveFrame>> {
-    if !(accuracy > 0.0) {
+    if accuracy.is_nan() || accuracy <= 0.0 {
         return Err(Error::domain("accuracy", accuracy, "a positive angle"));
     }
     let stations: Vec<Station> =

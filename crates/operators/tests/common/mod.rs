@@ -1,5 +1,5 @@
 //! Shapes that the tests of frames know everything about.
-#![allow(dead_code)]
+#![allow(dead_code, clippy::unwrap_used)]
 
 use pforms_kernel::{Form, Result};
 
