@@ -1,0 +1,116 @@
+"""Rational Bézier forms in any number of parameters, exactly.
+
+>>> import pforms as pf
+>>> facet = pf.stack(pf.Form([(0, 0, 0), (0, 1, 1)]), pf.Form([(1, 0, 1), (1, 1, 0)]))
+>>> facet
+<pforms.Form pS22 in 3D>
+>>> facet.diagonal()(0.5)
+array([0.5, 0.5, 0.5])
+
+Every method of a form that is an operator is also a function: ``pf.elevate(form, 1)`` is
+``form.elevate(1)``.
+"""
+
+from pforms._pforms import (
+    Form,
+    Immersed,
+    Piecewise,
+    __version__,
+    bernstein,
+    combine,
+    explain,
+    fit,
+    immerse,
+    immerse_points,
+    interpolate,
+    midpoint,
+    partition,
+    pascal,
+    polyline,
+    segment,
+    stack,
+    tile,
+)
+from pforms.errors import (
+    AccuracyError,
+    ArgumentError,
+    DegenerateError,
+    DomainError,
+    FormatError,
+    LimitError,
+    PformsError,
+    ShapeError,
+)
+from pforms.records import Fit, Frame
+
+blossom = Form.blossom
+curvature = Form.curvature
+derivative = Form.derivative
+diagonal = Form.diagonal
+elevate = Form.elevate
+evaluate = Form.evaluate
+frame = Form.frame
+grid = Form.grid
+hodograph = Form.hodograph
+normals = Form.normals
+reduce = Form.reduce
+reparametrise = Form.reparametrise
+reverse = Form.reverse
+split = Form.split
+stretch = Form.stretch
+sub = Form.sub
+subdivide = Form.subdivide
+transpose = Form.transpose
+whole_line = Form.whole_line
+with_pole = Form.with_pole
+
+__all__ = [
+    "AccuracyError",
+    "ArgumentError",
+    "DegenerateError",
+    "DomainError",
+    "Fit",
+    "Form",
+    "FormatError",
+    "Frame",
+    "Immersed",
+    "LimitError",
+    "PformsError",
+    "Piecewise",
+    "ShapeError",
+    "__version__",
+    "bernstein",
+    "blossom",
+    "combine",
+    "curvature",
+    "derivative",
+    "diagonal",
+    "elevate",
+    "evaluate",
+    "explain",
+    "fit",
+    "frame",
+    "grid",
+    "hodograph",
+    "immerse",
+    "immerse_points",
+    "interpolate",
+    "midpoint",
+    "normals",
+    "partition",
+    "pascal",
+    "polyline",
+    "reduce",
+    "reparametrise",
+    "reverse",
+    "segment",
+    "split",
+    "stack",
+    "stretch",
+    "sub",
+    "subdivide",
+    "tile",
+    "transpose",
+    "whole_line",
+    "with_pole",
+]

@@ -1,0 +1,109 @@
+//! Numbers given for an argument: one, or one for each axis.
+
+use pforms_kernel::{Error, Form};
+use pyo3::prelude::*;
+use pyo3::types::PyString;
+
+use crate::arrays::Numbers;
+use crate::errors::{fail, mistyped};
+use crate::form::PyForm;
+
+/// Counts above this are all refused alike, by the cap on results.
+const CEILING: f64 = (1_u64 << 40) as f64;
+
+/// A finite or infinite real number.
+pub(crate) fn real(argument: &str, object: &Bound<'_, PyAny>) -> PyResult<f64> {
+    let numbers = Numbers::read(argument, object)?;
+    match (numbers.shape(), numbers.values()) {
+        ([], [number]) => Ok(*number),
+        (shape, _) => {
+            fail(&Error::shape(argument, format!("an array of shape {shape:?}"), "a number"))
+        }
+    }
+}
+
+/// A whole number of at least 0.
+///
+/// Errors: `DomainError` for a negative number or a fraction.
+pub(crate) fn whole(argument: &str, object: &Bound<'_, PyAny>) -> PyResult<usize> {
+    to_whole(argument, real(argument, object)?)
+}
+
+/// One real number for each of `axes`, a single one counting for all.
+pub(crate) fn reals(argument: &str, object: &Bound<'_, PyAny>, axes: usize) -> PyResult<Vec<f64>> {
+    let numbers = Numbers::read(argument, object)?;
+    match (numbers.shape(), numbers.values()) {
+        ([], [number]) => Ok(vec![*number; axes]),
+        ([_], values) => Ok(values.to_vec()),
+        (shape, _) => fail(&Error::shape(
+            argument,
+            format!("an array of shape {shape:?}"),
+            "a number, or one for each axis",
+        )),
+    }
+}
+
+/// One whole number for each of `axes`, a single one counting for all.
+pub(crate) fn wholes(
+    argument: &str,
+    object: &Bound<'_, PyAny>,
+    axes: usize,
+) -> PyResult<Vec<usize>> {
+    let numbers = reals(argument, object, axes)?;
+    numbers.into_iter().map(|number| to_whole(argument, number)).collect()
+}
+
+/// An axis of a form.
+///
+/// Errors: `ShapeError` when there is no such axis.
+pub(crate) fn axis(form: &Form, object: &Bound<'_, PyAny>) -> PyResult<usize> {
+    let number = real("axis", object)?;
+    if number >= 0.0 && number.fract() == 0.0 {
+        let axis = number.min(CEILING) as usize;
+        return form.require_axis(axis).map(|()| axis).or_else(|error| fail(&error));
+    }
+    let last = form.axes().saturating_sub(1);
+    fail(&Error::shape("axis", number, format!("0 to {last} for a {}", form.kind())))
+}
+
+/// A level of recursion; whatever is too large for memory is refused later, by the cap.
+pub(crate) fn levels(list: &[usize]) -> Vec<u32> {
+    list.iter().map(|&level| u32::try_from(level).unwrap_or(u32::MAX)).collect()
+}
+
+/// Forms given one by one.
+pub(crate) fn forms(argument: &str, objects: &[Bound<'_, PyAny>]) -> PyResult<Vec<Form>> {
+    objects.iter().map(|object| form(argument, object)).collect()
+}
+
+/// A form.
+pub(crate) fn form(argument: &str, object: &Bound<'_, PyAny>) -> PyResult<Form> {
+    match object.cast::<PyForm>() {
+        Ok(form) => Ok(form.get().form.clone()),
+        Err(_) => Err(mistyped(argument, object, "a pforms.Form")),
+    }
+}
+
+/// A text that must be one of a few words.
+pub(crate) fn word(
+    argument: &str,
+    object: &Bound<'_, PyAny>,
+    known: &[&'static str],
+) -> PyResult<&'static str> {
+    let expected = known.iter().map(|word| format!("{word:?}")).collect::<Vec<_>>().join(", ");
+    let Ok(text) = object.cast::<PyString>() else {
+        return Err(mistyped(argument, object, &expected));
+    };
+    let text = text.to_string_lossy();
+    match known.iter().find(|word| **word == text) {
+        Some(word) => Ok(word),
+        None => fail(&Error::domain(argument, format!("{text:?}"), format!("one of {expected}"))),
+    }
+}
+
+fn to_whole(argument: &str, number: f64) -> PyResult<usize> {
+    if number >= 0.0 && number.fract() == 0.0 {
+        return Ok(number.min(CEILING) as usize);
+    }
+    fail(&Error::domain(argument, number, "a whole number of at least 0"))
+}

@@ -1,0 +1,87 @@
+//! `a + b`, `2*a - b`, `a/2`: homogeneous combinations.
+
+use pforms_kernel::{Error, Form};
+use pforms_operators as operators;
+use pyo3::prelude::*;
+use pyo3::types::PyNotImplemented;
+
+use crate::arguments::real;
+use crate::errors::{done, fail};
+use crate::form::PyForm;
+
+#[pymethods]
+impl PyForm {
+    /// NumPy leaves arithmetic with forms to the forms.
+    #[classattr]
+    #[pyo3(name = "__array_ufunc__")]
+    fn array_ufunc() -> Option<bool> {
+        None
+    }
+
+    fn __add__<'py>(&self, other: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+        self.plus(1.0, other)
+    }
+
+    fn __sub__<'py>(&self, other: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+        self.plus(-1.0, other)
+    }
+
+    fn __mul__<'py>(&self, factor: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+        self.times(factor)
+    }
+
+    fn __rmul__<'py>(&self, factor: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+        self.times(factor)
+    }
+
+    fn __truediv__<'py>(&self, divisor: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+        let py = divisor.py();
+        let Some(divisor) = number(divisor) else { return Ok(not_implemented(py)) };
+        if divisor == 0.0 {
+            return fail(&Error::domain("divisor", "0", "another number"));
+        }
+        let quotient = done(py, self.form.pole_count(), || {
+            let poles = self.form.homogeneous().iter().map(|x| x / divisor).collect();
+            Form::from_homogeneous(self.form.orders(), self.form.ambient(), poles)
+        })?;
+        Ok(Bound::new(py, Self::from(quotient))?.into_any())
+    }
+
+    fn __neg__(&self, py: Python<'_>) -> PyResult<Self> {
+        combined(py, &[-1.0], &[&self.form])
+    }
+
+    fn __pos__(slf: PyRef<'_, Self>) -> PyRef<'_, Self> {
+        slf
+    }
+}
+
+impl PyForm {
+    fn plus<'py>(&self, sign: f64, other: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+        let py = other.py();
+        let Ok(other) = other.cast::<Self>() else { return Ok(not_implemented(py)) };
+        let sum = combined(py, &[1.0, sign], &[&self.form, &other.get().form])?;
+        Ok(Bound::new(py, sum)?.into_any())
+    }
+
+    fn times<'py>(&self, factor: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+        let py = factor.py();
+        let Some(factor) = number(factor) else { return Ok(not_implemented(py)) };
+        Ok(Bound::new(py, combined(py, &[factor], &[&self.form])?)?.into_any())
+    }
+}
+
+pub(crate) fn combined(py: Python<'_>, k: &[f64], forms: &[&Form]) -> PyResult<PyForm> {
+    let cost = forms.iter().map(|form| form.homogeneous().len()).sum();
+    done(py, cost, || operators::combine(k, forms)).map(PyForm::from)
+}
+
+/// A number, if it is one; arrays and forms are left to other rules.
+fn number(object: &Bound<'_, PyAny>) -> Option<f64> {
+    let listed = object.len().is_ok() || object.is_none() || object.is_instance_of::<PyForm>();
+    if listed { None } else { real("factor", object).ok() }
+}
+
+fn not_implemented(py: Python<'_>) -> Bound<'_, PyAny> {
+    PyNotImplemented::get(py).to_owned().into_any()
+}

@@ -1,0 +1,184 @@
+//! Numbers in and out: whatever NumPy reads as an array of reals, without needless copies.
+
+use numpy::{PyArray1, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods};
+use pforms_kernel::{Error, Result, limit};
+use pyo3::exceptions::{PyOverflowError, PyTypeError, PyValueError};
+use pyo3::intern;
+use pyo3::prelude::*;
+use pyo3::sync::PyOnceLock;
+use pyo3::types::{PyFloat, PyList, PyTuple};
+
+use crate::errors::{ShapeError, done, fail, mistyped};
+
+/// NumPy allows no more axes.
+const MOST_AXES: usize = 64;
+
+/// An array of `f64` in C order: the caller's own when it is one already, else a converted copy.
+pub(crate) enum Numbers<'py> {
+    Borrowed(PyReadonlyArrayDyn<'py, f64>),
+    Owned { shape: Vec<usize>, values: Vec<f64> },
+}
+
+impl<'py> Numbers<'py> {
+    /// Reads an argument: a number, an array of any real type and layout, nested lists.
+    ///
+    /// Errors: `ArgumentError` for what holds no real numbers, `ShapeError` for ragged lists.
+    pub(crate) fn read(argument: &str, object: &Bound<'py, PyAny>) -> PyResult<Self> {
+        if let Ok(number) = object.cast::<PyFloat>() {
+            return Ok(Self::Owned { shape: Vec::new(), values: vec![number.value()] });
+        }
+        if let Ok(array) = object.cast::<PyArrayDyn<f64>>() {
+            return Self::borrow(array);
+        }
+        if object.is_none() {
+            return Err(mistyped(argument, object, "numbers"));
+        }
+        let array = converted(object).map_err(|error| explained(argument, object, error))?;
+        Self::borrow(array.cast::<PyArrayDyn<f64>>()?)
+    }
+
+    fn borrow(array: &Bound<'py, PyArrayDyn<f64>>) -> PyResult<Self> {
+        if array.is_c_contiguous() {
+            let view = array.try_readonly()?;
+            if view.as_slice().is_ok() {
+                return Ok(Self::Borrowed(view));
+            }
+        }
+        let copy = array.call_method0(intern!(array.py(), "copy"))?;
+        let copy = copy.cast::<PyArrayDyn<f64>>()?.try_readonly()?;
+        Ok(Self::Owned { shape: copy.shape().to_vec(), values: copy.as_slice()?.to_vec() })
+    }
+
+    pub(crate) fn shape(&self) -> &[usize] {
+        match self {
+            Self::Borrowed(array) => array.shape(),
+            Self::Owned { shape, .. } => shape,
+        }
+    }
+
+    pub(crate) fn values(&self) -> &[f64] {
+        match self {
+            Self::Borrowed(array) => array.as_slice().unwrap_or_default(),
+            Self::Owned { values, .. } => values,
+        }
+    }
+}
+
+/// `numpy.asarray(object, float64, "C")`, refusing what is no array of real numbers.
+fn converted<'py>(object: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+    static ASARRAY: PyOnceLock<Py<PyAny>> = PyOnceLock::new();
+    let py = object.py();
+    let asarray = ASARRAY.import(py, "numpy", "asarray")?;
+    let array = asarray.call1((object,))?;
+    let kind: char =
+        array.getattr(intern!(py, "dtype"))?.getattr(intern!(py, "kind"))?.extract()?;
+    if !"biufO".contains(kind) {
+        return Err(PyTypeError::new_err("no real numbers"));
+    }
+    asarray.call1((array, intern!(py, "float64"), intern!(py, "C")))
+}
+
+/// Says what was wrong with an object that NumPy could not convert.
+fn explained(argument: &str, object: &Bound<'_, PyAny>, error: PyErr) -> PyErr {
+    let py = object.py();
+    let ours = error.is_instance_of::<PyValueError>(py)
+        || error.is_instance_of::<PyTypeError>(py)
+        || error.is_instance_of::<PyOverflowError>(py);
+    if !ours {
+        return error;
+    }
+    match ragged(object) {
+        Some((depth, lengths)) => ShapeError::new_err(format!(
+            "{argument}: received lists of lengths {lengths:?} at depth {depth}, \
+             expected lists of one length"
+        )),
+        None => mistyped(argument, object, "real numbers in an array or nested lists"),
+    }
+}
+
+/// The first depth at which nested lists differ in length, and the lengths there; a number beside
+/// a list counts 0.
+fn ragged(object: &Bound<'_, PyAny>) -> Option<(usize, Vec<usize>)> {
+    let mut level = vec![object.clone()];
+    for depth in 0..MOST_AXES {
+        let lengths: Vec<usize> = level.iter().map(|item| length(item).unwrap_or(0)).collect();
+        let first = *lengths.first()?;
+        if lengths.iter().any(|length| *length != first) {
+            return Some((depth, lengths));
+        }
+        let items = level.iter().filter_map(|item| item.try_iter().ok());
+        level = items.take(if first > 0 { level.len() } else { 0 }).flatten().flatten().collect();
+    }
+    None
+}
+
+fn length(object: &Bound<'_, PyAny>) -> Option<usize> {
+    let listed = object.is_instance_of::<PyList>() || object.is_instance_of::<PyTuple>();
+    let array = object.cast::<numpy::PyUntypedArray>().is_ok_and(|array| array.ndim() > 0);
+    if listed || array { object.len().ok() } else { None }
+}
+
+/// A new array from its numbers in C order.
+pub(crate) fn array<'py>(
+    py: Python<'py>,
+    shape: &[usize],
+    values: Vec<f64>,
+) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
+    check_axes(shape)?;
+    PyArray1::from_vec(py, values).reshape(shape)
+}
+
+/// An array of points filled in place: the caller's `out`, or a new one.
+///
+/// `shape` is that of the parameters, each with `width` numbers; `cost` counts multiplications.
+///
+/// Errors: `ShapeError` when `out` has another shape, type or layout; `LimitError`; those of `fill`.
+pub(crate) fn filled<'py>(
+    py: Python<'py>,
+    shape: &[usize],
+    width: Option<usize>,
+    out: Option<&Bound<'py, PyAny>>,
+    cost: usize,
+    fill: impl FnOnce(&mut [f64]) -> Result<()> + Send,
+) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
+    limit::check::<f64>("the points", shape, width.unwrap_or(1)).or_else(|error| fail(&error))?;
+    let shape: Vec<usize> = shape.iter().copied().chain(width).collect();
+    check_axes(&shape)?;
+    let array = match out {
+        Some(out) => writable(out, &shape)?,
+        None => PyArrayDyn::zeros(py, shape.as_slice(), false),
+    };
+    let mut view = array.try_readwrite().map_err(|_| {
+        ShapeError::new_err("out: received a read-only array or one of the arguments, expected an array that can be written")
+    })?;
+    let slice = view.as_slice_mut()?;
+    done(py, cost, || fill(slice))?;
+    drop(view);
+    Ok(array)
+}
+
+fn writable<'py>(
+    out: &Bound<'py, PyAny>,
+    shape: &[usize],
+) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
+    let expected = format!("a C-contiguous float64 array of shape {shape:?}");
+    let Ok(array) = out.cast::<PyArrayDyn<f64>>() else {
+        return Err(mistyped("out", out, &expected));
+    };
+    if array.shape() != shape || !array.is_c_contiguous() {
+        let layout = if array.is_c_contiguous() { "" } else { ", not C-contiguous" };
+        return fail(&Error::shape("out", format!("shape {:?}{layout}", array.shape()), expected));
+    }
+    Ok(array.clone())
+}
+
+fn check_axes(shape: &[usize]) -> PyResult<()> {
+    if shape.len() <= MOST_AXES {
+        return Ok(());
+    }
+    fail(&Error::shape(
+        "array",
+        format!("{} axes", shape.len()),
+        format!("at most {MOST_AXES}, all that NumPy allows"),
+    ))
+}

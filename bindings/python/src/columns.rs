@@ -1,0 +1,66 @@
+//! Named columns of numbers that grow point after point.
+
+use pyo3::intern;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use crate::arrays::array;
+
+/// Columns in the order of their first entry; each has one number or vector for each point.
+pub(crate) struct Columns {
+    shape: Vec<usize>,
+    columns: Vec<Column>,
+}
+
+struct Column {
+    name: &'static str,
+    width: Option<usize>,
+    values: Vec<f64>,
+}
+
+impl Columns {
+    /// Columns for parameters of this shape.
+    pub(crate) fn new(shape: &[usize]) -> Self {
+        Self { shape: shape.to_vec(), columns: Vec::new() }
+    }
+
+    pub(crate) fn number(&mut self, name: &'static str, value: f64) {
+        self.push(name, None, &[value]);
+    }
+
+    pub(crate) fn vector(&mut self, name: &'static str, vector: &[f64]) {
+        self.push(name, Some(vector.len()), vector);
+    }
+
+    pub(crate) fn maybe_number(&mut self, name: &'static str, value: Option<f64>) {
+        if let Some(value) = value {
+            self.number(name, value);
+        }
+    }
+
+    pub(crate) fn maybe_vector(&mut self, name: &'static str, vector: Option<&[f64]>) {
+        if let Some(vector) = vector {
+            self.vector(name, vector);
+        }
+    }
+
+    fn push(&mut self, name: &'static str, width: Option<usize>, values: &[f64]) {
+        match self.columns.iter_mut().find(|column| column.name == name) {
+            Some(column) => column.values.extend_from_slice(values),
+            None => self.columns.push(Column { name, width, values: values.to_vec() }),
+        }
+    }
+
+    /// A `pforms.Frame` of arrays; a column without an entry for every point is left out.
+    pub(crate) fn into_frame(self, py: Python<'_>) -> PyResult<Bound<'_, PyAny>> {
+        let named = PyDict::new(py);
+        for Column { name, width, values } in self.columns {
+            let shape: Vec<usize> = self.shape.iter().copied().chain(width).collect();
+            if values.len() == shape.iter().product::<usize>() {
+                named.set_item(name, array(py, &shape, values)?)?;
+            }
+        }
+        let records = py.import(intern!(py, "pforms.records"))?;
+        records.getattr(intern!(py, "Frame"))?.call1((named,))
+    }
+}

@@ -1,0 +1,263 @@
+//! Points of forms: calls, grids and derivatives.
+
+use numpy::PyArrayDyn;
+use pforms_kernel::{Error, Form, Result, limit};
+use pforms_operators::{Immersed, Piecewise};
+use pyo3::prelude::*;
+use pyo3::types::{PyInt, PyTuple};
+
+use crate::arguments::{form, whole, wholes};
+use crate::arrays::{Numbers, filled};
+use crate::errors::{fail, raised};
+use crate::form::PyForm;
+use crate::operators::immersed;
+use crate::parameters::Parameters;
+
+/// What has a point for every parameter.
+pub(crate) trait Evaluate: Sync {
+    /// Number of coordinates of a point.
+    fn width(&self) -> usize;
+
+    /// About how many multiplications a point takes.
+    fn cost(&self) -> usize;
+
+    /// Points, or derivatives of them, at scattered parameters.
+    fn fill(&self, at: &[&[f64]], orders: Option<&[usize]>, out: &mut [f64]) -> Result<()>;
+
+    /// The form, where there is a quicker way to the points of a grid than point after point.
+    fn on_grids(&self) -> Option<&Form> {
+        None
+    }
+}
+
+impl Evaluate for Form {
+    fn width(&self) -> usize {
+        self.ambient()
+    }
+
+    fn cost(&self) -> usize {
+        self.homogeneous().len()
+    }
+
+    fn fill(&self, at: &[&[f64]], orders: Option<&[usize]>, out: &mut [f64]) -> Result<()> {
+        match orders {
+            None => self.scattered_into(at, out),
+            Some(orders) => self.scattered_derivative_into(at, orders, out),
+        }
+    }
+
+    fn on_grids(&self) -> Option<&Form> {
+        Some(self)
+    }
+}
+
+impl Evaluate for Piecewise {
+    fn width(&self) -> usize {
+        self.net().ambient()
+    }
+
+    fn cost(&self) -> usize {
+        self.degrees().iter().map(|degree| degree + 1).product::<usize>() * self.width()
+    }
+
+    fn fill(&self, at: &[&[f64]], _: Option<&[usize]>, out: &mut [f64]) -> Result<()> {
+        self.net().each_scattered(at, out, self.width(), |_, at, part| {
+            part.copy_from_slice(&self.at(at)?);
+            Ok(())
+        })
+    }
+}
+
+impl Evaluate for Immersed {
+    fn width(&self) -> usize {
+        self.host().ambient()
+    }
+
+    fn cost(&self) -> usize {
+        self.host().homogeneous().len() + self.inner().homogeneous().len()
+    }
+
+    fn fill(&self, at: &[&[f64]], orders: Option<&[usize]>, out: &mut [f64]) -> Result<()> {
+        self.inner().each_scattered(at, out, self.width(), |_, at, part| {
+            let point = match orders {
+                None => self.at(at)?,
+                Some(orders) => self.derivative_at(at, orders)?,
+            };
+            part.copy_from_slice(&point);
+            Ok(())
+        })
+    }
+}
+
+/// Points of anything at broadcast parameters, shape (…, c).
+pub(crate) fn points<'py>(
+    subject: &impl Evaluate,
+    parameters: &[Bound<'py, PyAny>],
+    orders: Option<&[usize]>,
+    out: Option<&Bound<'py, PyAny>>,
+    py: Python<'py>,
+) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
+    let parameters = Parameters::read(parameters)?;
+    let cost = parameters.count().saturating_mul(subject.cost());
+    let (shape, width) = (parameters.shape(), Some(subject.width()));
+    if let (None, Some(form)) = (orders, subject.on_grids())
+        && let Some(lists) = parameters.grid()
+    {
+        return filled(py, shape, width, out, cost, |numbers| form.grid_into(&lists, numbers));
+    }
+    let lists = parameters.scattered();
+    let lists: Vec<&[f64]> = lists.iter().map(AsRef::as_ref).collect();
+    filled(py, shape, width, out, cost, |numbers| subject.fill(&lists, orders, numbers))
+}
+
+/// The orders of a derivative; a single number is for a curve.
+pub(crate) fn derivative_orders(object: &Bound<'_, PyAny>, form: &Form) -> PyResult<Vec<usize>> {
+    let orders = wholes("derivative", object, 1)?;
+    form.require_per_axis("derivative", &orders).map_err(|error| raised(&error))?;
+    let terms: Vec<usize> = orders.iter().map(|order| order + 1).collect();
+    limit::check::<f64>("the Taylor expansion", &terms, SLOWNESS).map_err(|e| raised(&e))?;
+    Ok(orders)
+}
+
+/// A quotient of series takes the square of its length: this keeps it below seconds.
+const SLOWNESS: usize = 1 << 12;
+
+#[pymethods]
+impl PyForm {
+    /// Points at parameters, or the form drawn inside this one.
+    ///
+    /// ``f(u, v, …)`` takes one number or array for each axis; they broadcast, and the result has
+    /// their shape and one more axis of ``c`` coordinates. Any real parameters are legal; [0, 1]
+    /// is the usual window. ``host(inner)`` with a form is :func:`immerse`.
+    ///
+    /// Raises
+    /// ------
+    /// ShapeError
+    ///     Unless there is one parameter for each axis and they broadcast.
+    /// DomainError
+    ///     Where the weight vanishes, and for NaN.
+    ///
+    /// Examples
+    /// --------
+    /// >>> segment = pf.Form([(0, 0), (2, 4)])
+    /// >>> segment(0.5)
+    /// array([1., 2.])
+    /// >>> segment([[0, 0.25, 1]]).shape
+    /// (1, 3, 2)
+    #[pyo3(signature = (*parameters))]
+    fn __call__<'py>(&self, parameters: &Bound<'py, PyTuple>) -> PyResult<Bound<'py, PyAny>> {
+        let py = parameters.py();
+        let parameters: Vec<Bound<'py, PyAny>> = parameters.iter().collect();
+        if let [inner] = parameters.as_slice()
+            && inner.is_instance_of::<Self>()
+        {
+            let result = immersed(py, &form("inner", inner)?, &self.form)?;
+            return Ok(Bound::new(py, result)?.into_any());
+        }
+        points(&self.form, &parameters, None, None, py).map(Bound::into_any)
+    }
+
+    /// Points or derivatives at parameters, if wanted into an array of the caller's.
+    ///
+    /// Parameters
+    /// ----------
+    /// *parameters : array_like
+    ///     One for each axis; they broadcast.
+    /// derivative : int or tuple of int, optional
+    ///     Order of the partial derivative along each axis, exact, rational forms too.
+    /// out : ndarray, optional
+    ///     A C-contiguous float64 array of the result's shape.
+    ///
+    /// Returns
+    /// -------
+    /// ndarray, shape (…, c)
+    ///
+    /// Raises
+    /// ------
+    /// ShapeError, DomainError
+    ///     As a call, and when ``out`` does not fit.
+    ///
+    /// Examples
+    /// --------
+    /// >>> parabola = pf.Form([(0, 0), (1, 2), (2, 0)])
+    /// >>> parabola.evaluate(0.5, derivative=1)
+    /// array([2., 0.])
+    #[pyo3(signature = (*parameters, derivative=None, out=None))]
+    fn evaluate<'py>(
+        &self,
+        parameters: &Bound<'py, PyTuple>,
+        derivative: Option<&Bound<'py, PyAny>>,
+        out: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
+        let orders = derivative.map(|d| derivative_orders(d, &self.form)).transpose()?;
+        let list: Vec<Bound<'py, PyAny>> = parameters.iter().collect();
+        points(&self.form, &list, orders.as_deref(), out, parameters.py())
+    }
+
+    /// Points on a grid of parameters.
+    ///
+    /// Parameters
+    /// ----------
+    /// *parameters : int or array_like
+    ///     For each axis a count, for so many equal steps from 0 to 1, or a list of parameters.
+    /// out : ndarray, optional
+    ///     A C-contiguous float64 array of the result's shape.
+    ///
+    /// Returns
+    /// -------
+    /// ndarray, shape (m1, …, md, c)
+    ///
+    /// Raises
+    /// ------
+    /// ShapeError
+    ///     Unless there is one argument for each axis, and when ``out`` does not fit.
+    /// DomainError
+    ///     Where the weight vanishes, for NaN, and for a negative count.
+    ///
+    /// Examples
+    /// --------
+    /// >>> facet = pf.Form([[(0, 0, 0), (0, 1, 1)], [(1, 0, 1), (1, 1, 0)]])
+    /// >>> facet.grid(3, [0.5])[:, 0]
+    /// array([[0. , 0.5, 0.5],
+    ///        [0.5, 0.5, 0.5],
+    ///        [1. , 0.5, 0.5]])
+    #[pyo3(signature = (*parameters, out=None))]
+    fn grid<'py>(
+        &self,
+        parameters: &Bound<'py, PyTuple>,
+        out: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
+        let lines: Vec<Numbers<'py>> =
+            parameters.iter().map(|given| line(&given)).collect::<PyResult<_>>()?;
+        let lists: Vec<&[f64]> = lines.iter().map(Numbers::values).collect();
+        self.form.require_per_axis("parameters", &lists).map_err(|error| raised(&error))?;
+        let shape: Vec<usize> = lists.iter().map(|list| list.len()).collect();
+        let cost = shape.iter().fold(self.form.cost(), |cost, count| cost.saturating_mul(*count));
+        filled(parameters.py(), &shape, Some(self.form.ambient()), out, cost, |numbers| {
+            self.form.grid_into(&lists, numbers)
+        })
+    }
+}
+
+/// The parameters of one axis of a grid: a list, or a count of equal steps.
+fn line<'py>(given: &Bound<'py, PyAny>) -> PyResult<Numbers<'py>> {
+    if !given.is_instance_of::<PyInt>() {
+        let numbers = Numbers::read("parameters", given)?;
+        match numbers.shape() {
+            [_] => return Ok(numbers),
+            [] => {}
+            shape => {
+                return fail(&Error::shape(
+                    "parameters",
+                    format!("an array of shape {shape:?}"),
+                    "for each axis a count or a list of parameters",
+                ));
+            }
+        }
+    }
+    let count = whole("parameters", given)?;
+    limit::check::<f64>("the grid", &[count], 1).map_err(|error| raised(&error))?;
+    let last = count.saturating_sub(1).max(1) as f64;
+    let values = (0..count).map(|i| i as f64 / last).collect();
+    Ok(Numbers::Owned { shape: vec![count], values })
+}

@@ -1,0 +1,197 @@
+//! The class `Immersed`: host and inner side by side, until someone asks for poles.
+
+use numpy::PyArrayDyn;
+use pforms_kernel::Form;
+use pforms_operators::Immersed;
+use pyo3::IntoPyObjectExt;
+use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyTuple};
+
+use crate::arguments::form;
+use crate::errors::raised;
+use crate::evaluation::{derivative_orders, points};
+use crate::form::PyForm;
+use crate::operators::immersed;
+
+/// An immersed form without its poles: ``pf.immerse(inner, host, lazy=True)``.
+///
+/// Degrees multiply under immersion and evaluation does not need them. Points and derivatives are
+/// exact; :meth:`expand` makes the poles, :meth:`forecast` tells what that would cost.
+///
+/// >>> host = pf.Form([[(0, 0, 0), (0, 1, 1)], [(1, 0, 1), (1, 1, 0)]])
+/// >>> lazy = pf.immerse(pf.Form([(0, 0), (1, 1)]), host, lazy=True)
+/// >>> lazy
+/// <pforms.Immersed ipL2 in pS22, 3D>
+/// >>> lazy(0.5)
+/// array([0.5, 0.5, 0.5])
+#[pyclass(frozen, module = "pforms", name = "Immersed", weakref)]
+pub(crate) struct PyImmersed {
+    immersed: Immersed,
+}
+
+impl From<Immersed> for PyImmersed {
+    fn from(immersed: Immersed) -> Self {
+        Self { immersed }
+    }
+}
+
+/// Immerses with or without poles.
+///
+/// The inner form lives in the parameter space of the host: its coordinate ``k`` is parameter
+/// ``k``. Any dimensions, polynomial or rational on either side. Along inner axis ``k`` of order
+/// ``q`` the result has order ``(Σ (m - 1))·(q - 1) + 1`` for host orders ``m``.
+///
+/// Parameters
+/// ----------
+/// inner : Form
+/// host : Form
+/// lazy : bool, optional
+///     Keep host and inner side by side: no poles until :meth:`Immersed.expand`.
+///
+/// Returns
+/// -------
+/// Form, or Immersed if lazy
+///
+/// Raises
+/// ------
+/// ShapeError
+///     When the inner coordinates do not fit the axes of the host.
+/// LimitError
+///     With the forecast size.
+///
+/// Examples
+/// --------
+/// >>> host = pf.Form([[(0, 0, 0), (0, 1, 1)], [(1, 0, 1), (1, 1, 0)]])
+/// >>> pf.immerse(pf.Form([(0, 0), (1, 1)]), host) == host.diagonal()
+/// True
+#[pyfunction]
+#[pyo3(signature = (inner, host, lazy=false))]
+pub(crate) fn immerse<'py>(
+    inner: &Bound<'py, PyAny>,
+    host: &Bound<'py, PyAny>,
+    lazy: bool,
+) -> PyResult<Bound<'py, PyAny>> {
+    let py = inner.py();
+    let (inner, host) = (form("inner", inner)?, form("host", host)?);
+    if !lazy {
+        return immersed(py, &inner, &host)?.into_bound_py_any(py);
+    }
+    let lazy = Immersed::new(inner, host).map_err(|error| raised(&error))?;
+    PyImmersed::from(lazy).into_bound_py_any(py)
+}
+
+#[pymethods]
+impl PyImmersed {
+    #[new]
+    #[pyo3(signature = (inner, host))]
+    fn new(inner: &Bound<'_, PyAny>, host: &Bound<'_, PyAny>) -> PyResult<Self> {
+        let (inner, host): (Form, Form) = (form("inner", inner)?, form("host", host)?);
+        Immersed::new(inner, host).map(Self::from).map_err(|error| raised(&error))
+    }
+
+    /// The form in whose parameters the inner one lives.
+    ///
+    /// >>> pf.Immersed(pf.Form([(0,), (1,)]), pf.Form([(0, 0), (1, 2)])).host
+    /// <pforms.Form pL2 in 2D>
+    #[getter]
+    fn host(&self) -> PyForm {
+        self.immersed.host().clone().into()
+    }
+
+    /// The form inside.
+    ///
+    /// >>> pf.Immersed(pf.Form([(0,), (1,)]), pf.Form([(0, 0), (1, 2)])).inner
+    /// <pforms.Form pL2 in 1D>
+    #[getter]
+    fn inner(&self) -> PyForm {
+        self.immersed.inner().clone().into()
+    }
+
+    /// The kind as the book writes it, with an ``i``.
+    ///
+    /// >>> pf.Immersed(pf.Form([(0,), (1,)]), pf.Form([(0, 0), (1, 2)])).kind
+    /// 'ipL2'
+    #[getter]
+    fn kind(&self) -> String {
+        self.immersed.kind()
+    }
+
+    /// Number of axes: that of the inner form.
+    ///
+    /// >>> pf.Immersed(pf.Form([(0,), (1,)]), pf.Form([(0, 0), (1, 2)])).axes
+    /// 1
+    #[getter]
+    fn axes(&self) -> usize {
+        self.immersed.inner().axes()
+    }
+
+    /// Dimension of the space: that of the host.
+    ///
+    /// >>> pf.Immersed(pf.Form([(0,), (1,)]), pf.Form([(0, 0), (1, 2)])).ambient
+    /// 2
+    #[getter]
+    fn ambient(&self) -> usize {
+        self.immersed.host().ambient()
+    }
+
+    /// What :meth:`expand` would cost: a dict of ``orders``, ``poles`` and ``bytes``.
+    ///
+    /// >>> pf.Immersed(pf.Form([(0,), (1,)]), pf.Form([(0, 0), (1, 2)])).forecast()
+    /// {'orders': (2,), 'poles': 2, 'bytes': 48}
+    fn forecast<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let forecast = self.immersed.forecast();
+        let answer = PyDict::new(py);
+        answer.set_item("orders", PyTuple::new(py, forecast.orders)?)?;
+        answer.set_item("poles", forecast.poles)?;
+        answer.set_item("bytes", forecast.bytes)?;
+        Ok(answer)
+    }
+
+    /// The form with its poles, as :func:`immerse`. Raises LimitError with the forecast size.
+    ///
+    /// >>> pf.Immersed(pf.Form([(0,), (1,)]), pf.Form([(0, 0), (1, 2)])).expand()
+    /// <pforms.Form pL2 in 2D>
+    fn expand(&self, py: Python<'_>) -> PyResult<PyForm> {
+        immersed(py, self.immersed.inner(), self.immersed.host())
+    }
+
+    /// Points at broadcast parameters, as :meth:`Form.__call__`.
+    #[pyo3(signature = (*parameters))]
+    fn __call__<'py>(
+        &self,
+        parameters: &Bound<'py, PyTuple>,
+    ) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
+        self.evaluate(parameters, None, None)
+    }
+
+    /// Points or derivatives, as :meth:`Form.evaluate`.
+    ///
+    /// >>> lazy = pf.Immersed(pf.Form([(0,), (1,)]), pf.Form([(0, 0), (1, 2)]))
+    /// >>> lazy.evaluate(0.5, derivative=1)
+    /// array([1., 2.])
+    #[pyo3(signature = (*parameters, derivative=None, out=None))]
+    fn evaluate<'py>(
+        &self,
+        parameters: &Bound<'py, PyTuple>,
+        derivative: Option<&Bound<'py, PyAny>>,
+        out: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
+        let inner = self.immersed.inner();
+        let orders = derivative.map(|d| derivative_orders(d, inner)).transpose()?;
+        let list: Vec<Bound<'py, PyAny>> = parameters.iter().collect();
+        points(&self.immersed, &list, orders.as_deref(), out, parameters.py())
+    }
+
+    fn __repr__(&self) -> String {
+        let (kind, host) = (self.immersed.kind(), self.immersed.host());
+        format!("<pforms.Immersed {kind} in {}, {}D>", host.kind(), host.ambient())
+    }
+
+    fn __eq__(&self, other: &Bound<'_, PyAny>) -> Option<bool> {
+        other.cast::<Self>().ok().map(|other| self.immersed == other.get().immersed)
+    }
+
+    fn __reduce__<'py>(&self, py: Python<'py>) -> (Bound<'py, PyAny>, (PyForm, PyForm)) {
+        (py.get_type::<Self>().into_any(), (self.inner(), self.host()))
+    }
+}

@@ -1,0 +1,183 @@
+//! Hosts as spaces to draw in: segments, polylines, tiles, and any map of the poles.
+
+use pforms_kernel::{Error, Form};
+use pforms_operators as operators;
+use pyo3::prelude::*;
+use pyo3::types::PyTuple;
+
+use crate::arguments::{form, reals, wholes};
+use crate::arrays::Numbers;
+use crate::errors::{done, fail, mistyped, raised};
+use crate::form::PyForm;
+
+/// The immersed segment from parameter point ``a`` to parameter point ``b`` of the host.
+///
+/// Its order is ``Σ (m - 1) + 1`` for host orders ``m``; exact.
+///
+/// Parameters
+/// ----------
+/// host : Form
+/// a, b : sequence of float
+///     One parameter for each axis of the host.
+///
+/// Raises
+/// ------
+/// ShapeError, DomainError, LimitError
+///     For a wrong count of parameters, for NaN, and for too many poles.
+///
+/// Examples
+/// --------
+/// >>> host = pf.Form([[(0, 0, 0), (0, 1, 1)], [(1, 0, 1), (1, 1, 0)]])
+/// >>> pf.segment(host, (0, 0), (1, 1)) == host.diagonal()
+/// True
+#[pyfunction]
+#[pyo3(signature = (host, a, b))]
+pub(crate) fn segment(
+    host: &Bound<'_, PyAny>,
+    a: &Bound<'_, PyAny>,
+    b: &Bound<'_, PyAny>,
+) -> PyResult<PyForm> {
+    let form = form("host", host)?;
+    let (from, to) = (reals("a", a, 1)?, reals("b", b, 1)?);
+    let cost = form.homogeneous().len().saturating_mul(form.axes() + 1);
+    done(host.py(), cost, || operators::segment(&form, &from, &to)).map(PyForm::from)
+}
+
+/// The immersed segments from each parameter point to the next: a list of curves.
+///
+/// Parameters
+/// ----------
+/// host : Form
+/// points : array_like, shape (m, axes of the host)
+///
+/// Raises
+/// ------
+/// ShapeError, DomainError, LimitError
+///     As :func:`segment`.
+///
+/// Examples
+/// --------
+/// >>> host = pf.Form([[(0, 0, 0), (0, 1, 1)], [(1, 0, 1), (1, 1, 0)]])
+/// >>> len(pf.polyline(host, [(0, 0), (1, 0), (1, 1)]))
+/// 2
+#[pyfunction]
+#[pyo3(signature = (host, points))]
+pub(crate) fn polyline(
+    host: &Bound<'_, PyAny>,
+    points: &Bound<'_, PyAny>,
+) -> PyResult<Vec<PyForm>> {
+    let form = form("host", host)?;
+    let points = Numbers::read("points", points)?;
+    let [count, width] = *points.shape() else {
+        let received = format!("an array of shape {:?}", points.shape());
+        return fail(&Error::shape("points", received, format!("shape (m, {})", form.axes())));
+    };
+    let lists: Vec<&[f64]> = match width {
+        0 => vec![&[]; count],
+        _ => points.values().chunks_exact(width).collect(),
+    };
+    let cost = form.homogeneous().len().saturating_mul(count);
+    let curves = done(host.py(), cost, || operators::polyline(&form, &lists))?;
+    Ok(curves.into_iter().map(PyForm::from).collect())
+}
+
+/// Forms of a cell, drawn in the unit cube of the cage's parameters, repeated and immersed.
+///
+/// Parameters
+/// ----------
+/// cells : sequence of Form
+///     With one coordinate for each axis of the cage.
+/// cage : Form
+/// counts : int or sequence of int
+///     Repetitions along each parameter.
+///
+/// Returns
+/// -------
+/// list of Form
+///     Cell by cell, the last parameter fastest, and within a cell in the given order.
+///
+/// Raises
+/// ------
+/// ShapeError, DomainError, LimitError
+///     When dimensions do not fit or a count is 0; a negative count; when all is too large.
+///
+/// Examples
+/// --------
+/// >>> cage = pf.Form([[(0, 0), (0, 1)], [(1, 0), (1, 1)]])
+/// >>> strut = pf.Form([(0, 0), (1, 1)])
+/// >>> [form.poles[0].tolist() for form in pf.tile([strut], cage, 2)]
+/// [[0.0, 0.0], [0.0, 0.5], [0.5, 0.0], [0.5, 0.5]]
+#[pyfunction]
+#[pyo3(signature = (cells, cage, counts))]
+pub(crate) fn tile(
+    cells: &Bound<'_, PyAny>,
+    cage: &Bound<'_, PyAny>,
+    counts: &Bound<'_, PyAny>,
+) -> PyResult<Vec<PyForm>> {
+    let cage = form("cage", cage)?;
+    let Ok(given) = cells.try_iter() else {
+        return Err(mistyped("cells", cells, "a list of forms"));
+    };
+    let list: Vec<Form> = given.map(|cell| form("cells", &cell?)).collect::<PyResult<_>>()?;
+    let counts = wholes("counts", counts, cage.axes())?;
+    let tiles = done(cells.py(), usize::MAX, || operators::tile(&list, &cage, &counts))?;
+    Ok(tiles.into_iter().map(PyForm::from).collect())
+}
+
+/// Pointwise immersion: the images of the poles of a form under any map, as a form.
+///
+/// Not the immersion: the result is near the mapped form only where the map is nearly affine.
+///
+/// Parameters
+/// ----------
+/// map : callable
+///     Called once for each pole with its coordinates, ``map(x, y, …)``; returns a point. A host
+///     form is such a map.
+/// form : Form
+///     Without poles at infinity; its weights are kept.
+///
+/// Raises
+/// ------
+/// DomainError
+///     When a pole is at infinity or an image is not finite.
+/// ShapeError
+///     When images have different dimensions.
+///
+/// Examples
+/// --------
+/// >>> curve = pf.Form([(0, 0), (1, 2), (2, 0)])
+/// >>> pf.immerse_points(lambda x, y: (x, y, x * y), curve).poles
+/// array([[0., 0., 0.],
+///        [1., 2., 2.],
+///        [2., 0., 0.]])
+#[pyfunction]
+#[pyo3(signature = (map, form))]
+pub(crate) fn immerse_points(map: &Bound<'_, PyAny>, form: &Bound<'_, PyAny>) -> PyResult<PyForm> {
+    if !map.is_callable() {
+        return Err(mistyped("map", map, "something to call"));
+    }
+    let form = crate::arguments::form("form", form)?;
+    let mut failure = None;
+    let images = operators::immerse_points(&form, |point| {
+        image(map, point).map_err(|error| {
+            failure = Some(error);
+            Error::domain("map", "an exception", "a point")
+        })
+    });
+    match (images, failure) {
+        (_, Some(error)) => Err(error),
+        (images, None) => images.map(PyForm::from).map_err(|error| raised(&error)),
+    }
+}
+
+fn image(map: &Bound<'_, PyAny>, point: &[f64]) -> PyResult<Vec<f64>> {
+    let answer = map.call1(PyTuple::new(map.py(), point)?)?;
+    let numbers = Numbers::read("map", &answer)?;
+    match numbers.shape() {
+        [_] => Ok(numbers.values().to_vec()),
+        shape => {
+            let received = format!("an image of shape {shape:?}");
+            fail(&Error::shape("map", received, "a point, an array of shape (c,)"))
+        }
+    }
+}

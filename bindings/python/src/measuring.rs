@@ -1,0 +1,255 @@
+//! Frames, normals and curvatures at broadcast parameters.
+
+use numpy::PyArrayDyn;
+use pforms_kernel::{Error, Form, Result};
+use pforms_operators::{
+    self as operators, Curvature, CurveFrame, FrameKind, SurfaceCurvature, SurfaceFrame,
+    VolumeFrame,
+};
+use pyo3::prelude::*;
+use pyo3::types::PyTuple;
+
+use crate::arguments::{real, word};
+use crate::arrays::filled;
+use crate::columns::Columns;
+use crate::errors::{done, fail};
+use crate::form::PyForm;
+use crate::parameters::Parameters;
+
+const KINDS: [&str; 3] = ["frenet", "rotation-minimising", "tangent"];
+
+#[pymethods]
+impl PyForm {
+    /// Unit normals of a surface in space, along ``du × dv``.
+    ///
+    /// Where that product vanishes (collapsed edges) the normal is its limit in the window.
+    ///
+    /// Parameters
+    /// ----------
+    /// u, v : array_like
+    ///     They broadcast; ``u[:, None]`` and ``v`` make a grid, which is quicker than scattered.
+    /// out : ndarray, optional
+    ///     A C-contiguous float64 array of the result's shape.
+    ///
+    /// Returns
+    /// -------
+    /// ndarray, shape (…, 3)
+    ///
+    /// Raises
+    /// ------
+    /// ShapeError
+    ///     Unless it is a surface in 3D.
+    /// DegenerateError, DomainError
+    ///     Where there is no normal; where the weight vanishes.
+    ///
+    /// Examples
+    /// --------
+    /// >>> floor = pf.Form([[(0, 0, 0), (0, 1, 0)], [(1, 0, 0), (1, 1, 0)]])
+    /// >>> floor.normals(0.5, [0, 1])
+    /// array([[0., 0., 1.],
+    ///        [0., 0., 1.]])
+    #[pyo3(signature = (u, v, *, out=None))]
+    fn normals<'py>(
+        &self,
+        u: &Bound<'py, PyAny>,
+        v: &Bound<'py, PyAny>,
+        out: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
+        let parameters = Parameters::read(&[u.clone(), v.clone()])?;
+        let cost = parameters.count().saturating_mul(self.form.homogeneous().len());
+        let (form, shape) = (&self.form, parameters.shape());
+        if let Some(lists) = parameters.grid() {
+            return filled(u.py(), shape, Some(3), out, cost, |normals| {
+                operators::normal_grid_into(form, &lists, normals)
+            });
+        }
+        let lists = parameters.scattered();
+        let lists: Vec<&[f64]> = lists.iter().map(AsRef::as_ref).collect();
+        filled(u.py(), shape, Some(3), out, cost, |normals| {
+            operators::normals_into(form, &lists, normals)
+        })
+    }
+
+    /// The moving frame at parameters: a :class:`Frame` of named arrays.
+    ///
+    /// A curve has ``point``, ``tangent``, ``normal``, ``binormal``, ``speed``, ``curvature`` and
+    /// ``torsion``; a surface ``point``, ``tu``, ``tv``, ``normal``, ``area``, the fundamental forms
+    /// ``first`` and ``second``, ``gauss``, ``mean`` and ``principal``; a volume ``point``, ``tu``,
+    /// ``tv``, ``tw`` and ``jacobian``. What the dimension does not give is left out. Where a
+    /// derivative vanishes the next one decides.
+    ///
+    /// Parameters
+    /// ----------
+    /// *parameters : array_like
+    ///     One for each axis; they broadcast.
+    /// kind : "frenet", "rotation-minimising" or "tangent", optional
+    ///     The normal of a curve: towards the centre of curvature, or turning as little as
+    ///     possible, or none.
+    /// unit : bool, optional
+    ///     Vectors of length 1; else the derivatives themselves and their products.
+    /// accuracy : float, optional
+    ///     Largest angle, in radians, by which a rotation-minimising normal may be off.
+    ///
+    /// Raises
+    /// ------
+    /// ShapeError, DomainError
+    ///     For a point, a wrong count of parameters; where the weight vanishes.
+    /// DegenerateError
+    ///     Where there is no frame, as for the normal of a straight line.
+    ///
+    /// Examples
+    /// --------
+    /// >>> frame = pf.Form([(0, 0, 0), (1, 0, 0), (2, 2, 0)]).frame(0)
+    /// >>> frame.normal, frame.binormal
+    /// (array([0., 1., 0.]), array([0., 0., 1.]))
+    #[pyo3(
+        signature = (*parameters, kind=None, unit=true, accuracy=None),
+        text_signature = "($self, *parameters, kind='frenet', unit=True, accuracy=1e-10)"
+    )]
+    fn frame<'py>(
+        &self,
+        parameters: &Bound<'py, PyTuple>,
+        kind: Option<&Bound<'py, PyAny>>,
+        unit: bool,
+        accuracy: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let kind = match kind.map(|kind| word("kind", kind, &KINDS)).transpose()? {
+            Some("rotation-minimising") => FrameKind::RotationMinimising,
+            Some("tangent") => FrameKind::Tangent,
+            _ => FrameKind::Frenet,
+        };
+        let accuracy = accuracy.map_or(Ok(ACCURACY), |accuracy| real("accuracy", accuracy))?;
+        let question = Question { form: &self.form, kind, unit, accuracy };
+        self.columns(parameters, |lists, columns| question.answer(lists, columns))?
+            .into_frame(parameters.py())
+    }
+
+    /// The curvature: an array for a curve; ``gauss``, ``mean``, ``principal`` for a surface.
+    ///
+    /// Signed for a curve in the plane: positive where it turns left. A surface in 3D is answered
+    /// by a :class:`Frame`, positive where it bends towards its normal.
+    ///
+    /// Raises ShapeError for other forms, DegenerateError where there is no curvature.
+    ///
+    /// >>> pf.Form([(0, 0), (1, 0), (2, 2)]).curvature(0).item()
+    /// 1.0
+    /// >>> saddle = pf.Form([[(0, 0, 0), (0, 1, 1)], [(1, 0, 1), (1, 1, 0)]])
+    /// >>> saddle.curvature(0.5, 0.5).gauss.item()
+    /// -4.0
+    #[pyo3(signature = (*parameters))]
+    fn curvature<'py>(&self, parameters: &Bound<'py, PyTuple>) -> PyResult<Bound<'py, PyAny>> {
+        let columns = self.columns(parameters, |lists, columns| {
+            for i in 0..lists.first().map_or(0, |list| list.len()) {
+                let at: Vec<f64> = lists.iter().map(|list| list[i]).collect();
+                match operators::curvature(&self.form, &at)? {
+                    Curvature::Curve { curvature, .. } => columns.number("curvature", curvature),
+                    Curvature::Surface(curvature) => bends(&curvature, columns),
+                }
+            }
+            Ok(())
+        })?;
+        let frame = columns.into_frame(parameters.py())?;
+        if self.form.axes() == 1 { frame.get_item("curvature") } else { Ok(frame) }
+    }
+}
+
+/// The default of rotation-minimising frames: far below what can be seen, far above rounding.
+const ACCURACY: f64 = 1e-10;
+
+impl PyForm {
+    /// Columns of numbers, filled point after point without the lock.
+    fn columns(
+        &self,
+        parameters: &Bound<'_, PyTuple>,
+        fill: impl FnOnce(&[&[f64]], &mut Columns) -> Result<()> + Send,
+    ) -> PyResult<Columns> {
+        let list: Vec<_> = parameters.iter().collect();
+        let read = Parameters::read(&list)?;
+        if self.form.axes() == 0 {
+            return fail(&Error::shape("form", "a point", "a form with at least one axis"));
+        }
+        let lists = read.scattered();
+        let lists: Vec<&[f64]> = lists.iter().map(AsRef::as_ref).collect();
+        let cost = read.count().saturating_mul(100 * self.form.homogeneous().len());
+        let mut columns = Columns::new(read.shape());
+        done(parameters.py(), cost, || {
+            self.form.require_per_axis("parameters", &lists)?;
+            fill(&lists, &mut columns)
+        })?;
+        Ok(columns)
+    }
+}
+
+/// What is asked about a frame.
+struct Question<'a> {
+    form: &'a Form,
+    kind: FrameKind,
+    unit: bool,
+    accuracy: f64,
+}
+
+impl Question<'_> {
+    fn answer(&self, lists: &[&[f64]], columns: &mut Columns) -> Result<()> {
+        match *lists {
+            [list] => self.curve(list, columns),
+            [us, vs] => us.iter().zip(vs).try_for_each(|(u, v)| {
+                let frame = operators::surface_frame(self.form, *u, *v)?;
+                self.surface(if self.unit { frame } else { frame.unnormalised() }, columns);
+                Ok(())
+            }),
+            _ => (0..lists[0].len()).try_for_each(|i| {
+                let at: Vec<f64> = lists.iter().map(|list| list[i]).collect();
+                let frame = operators::volume_frame(self.form, &at)?;
+                self.volume(if self.unit { frame } else { frame.unnormalised() }, columns);
+                Ok(())
+            }),
+        }
+    }
+
+    fn curve(&self, list: &[f64], columns: &mut Columns) -> Result<()> {
+        for frame in operators::curve_frames(self.form, list, self.kind, self.accuracy)? {
+            let frame = if self.unit { frame } else { frame.unnormalised(self.kind) };
+            let CurveFrame { point, tangent, normal, binormal, speed, curvature, torsion, .. } =
+                frame;
+            columns.vector("point", &point);
+            columns.vector("tangent", &tangent);
+            columns.maybe_vector("normal", normal.as_deref());
+            columns.maybe_vector("binormal", binormal.as_deref());
+            columns.number("speed", speed);
+            columns.number("curvature", curvature);
+            columns.maybe_number("torsion", torsion);
+        }
+        Ok(())
+    }
+
+    fn surface(&self, frame: SurfaceFrame, columns: &mut Columns) {
+        columns.vector("point", &frame.point);
+        columns.vector("tu", &frame.tangents[0]);
+        columns.vector("tv", &frame.tangents[1]);
+        columns.maybe_vector("normal", frame.normal.as_deref());
+        columns.number("area", frame.area);
+        columns.vector("first", &frame.first);
+        columns.maybe_vector("second", frame.second.as_ref().map(<[f64; 3]>::as_slice));
+        if let Some(curvature) = &frame.curvature {
+            bends(curvature, columns);
+        }
+    }
+
+    fn volume(&self, frame: VolumeFrame, columns: &mut Columns) {
+        const NAMES: [&str; 3] = ["tu", "tv", "tw"];
+        columns.vector("point", &frame.point);
+        if frame.tangents.len() == NAMES.len() {
+            for (name, tangent) in NAMES.into_iter().zip(&frame.tangents) {
+                columns.vector(name, tangent);
+            }
+        }
+        columns.vector("tangents", &frame.tangents.concat());
+        columns.maybe_number("jacobian", frame.jacobian);
+    }
+}
+
+fn bends(curvature: &SurfaceCurvature, columns: &mut Columns) {
+    columns.number("gauss", curvature.gauss);
+    columns.number("mean", curvature.mean);
+    columns.vector("principal", &curvature.principal);
+}
