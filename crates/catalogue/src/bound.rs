@@ -223,7 +223,7 @@ impl<S: Arithmetic> Bound<S> {
     /// The error for a value of the wrong kind.
     pub(crate) fn mistyped(&self, index: usize, value: &Value<S>) -> Failure {
         if let Value::Error(failure) = value {
-            return failure.as_ref().clone();
+            return failure.clone();
         }
         let words = self.parameter(index).takes.words();
         self.explain(index, value, shape, words.en, words.fr)

@@ -128,7 +128,7 @@ fn root(x: &Rational, degree: u32) -> Option<Rational> {
 }
 
 fn whole_root(x: &BigInt, degree: u32) -> Option<BigInt> {
-    if degree == 0 || (x.sign() == Sign::Minus && degree % 2 == 0) {
+    if degree == 0 || (x.sign() == Sign::Minus && degree.is_multiple_of(2)) {
         return None;
     }
     if u64::from(degree) > x.bits() && x.abs() > BigInt::one() {

@@ -7,7 +7,10 @@ use crate::{Language, Message};
 /// An error on its way through the cells: said in both languages, with the cell it came from and
 /// what to do about it.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Failure {
+pub struct Failure(Box<Parts>);
+
+#[derive(Clone, Debug, PartialEq)]
+struct Parts {
     family: &'static str,
     message: Message,
     hint: Option<Message>,
@@ -20,64 +23,65 @@ impl Failure {
     /// `"Name"`, `"Cycle"` or `"Formula"`.
     pub fn new(family: &'static str, en: impl Into<String>, fr: impl Into<String>) -> Self {
         let message = Message::new(en, fr);
-        Self { family, message, hint: None, origin: None, error: None }
+        Self(Box::new(Parts { family, message, hint: None, origin: None, error: None }))
     }
 
     /// An error of the kernel's family with its message in French.
     pub fn of(error: Error, fr: impl Into<String>) -> Self {
         let message = Message::new(error.to_string(), fr);
-        Self { family: error.family(), message, hint: None, origin: None, error: Some(error) }
+        let family = error.family();
+        Self(Box::new(Parts { family, message, hint: None, origin: None, error: Some(error) }))
     }
 
     /// Adds what to do about it; a hint already there stays.
     #[must_use]
     pub fn with_hint(mut self, en: impl Into<String>, fr: impl Into<String>) -> Self {
-        self.hint.get_or_insert_with(|| Message::new(en, fr));
+        self.0.hint.get_or_insert_with(|| Message::new(en, fr));
         self
     }
 
     /// Names the cell it came from; an origin already there stays, being nearer the cause.
     #[must_use]
     pub fn at(mut self, cell: impl Into<String>) -> Self {
-        self.origin.get_or_insert_with(|| cell.into());
+        self.0.origin.get_or_insert_with(|| cell.into());
         self
     }
 
     /// Puts the operator in which it happened before the message.
     #[must_use]
     pub(crate) fn within(mut self, name: &Message) -> Self {
-        self.message.en = format!("{}, {}", name.en, self.message.en);
-        self.message.fr = format!("{}, {}", name.fr, self.message.fr);
-        self.error = self.error.map(|error| prefixed(error, &name.en));
+        self.0.message.en = format!("{}, {}", name.en, self.0.message.en);
+        self.0.message.fr = format!("{}, {}", name.fr, self.0.message.fr);
+        self.0.error = self.0.error.take().map(|error| prefixed(error, &name.en));
         self
     }
 
     /// The family, the same word in every face: `Shape`, `Domain`, `Degenerate`, `Accuracy`,
     /// `Format`, `Limit`, or what [`Failure::new`] was given.
     pub fn family(&self) -> &'static str {
-        self.family
+        self.0.family
     }
 
     /// What happened.
     pub fn message(&self, language: Language) -> &str {
-        self.message.get(language)
+        self.0.message.get(language)
     }
 
     /// What to do about it, when that is known.
     pub fn hint(&self, language: Language) -> Option<&str> {
-        self.hint.as_ref().map(|hint| hint.get(language))
+        self.0.hint.as_ref().map(|hint| hint.get(language))
     }
 
     /// The cell it came from.
     pub fn origin(&self) -> Option<&str> {
-        self.origin.as_deref()
+        self.0.origin.as_deref()
     }
 
     /// The same as an error of the kernel's family, for a face that raises errors.
     ///
     /// The origin and the hint go along in English.
     pub fn to_error(&self) -> Error {
-        let Some(error) = &self.error else {
+        let Some(error) = &self.0.error else {
             return Error::format(self.origin().unwrap_or("formula"), None, self.with_advice());
         };
         match self.origin() {
@@ -87,9 +91,9 @@ impl Failure {
     }
 
     fn with_advice(&self) -> String {
-        match &self.hint {
-            Some(hint) => format!("{} ({})", self.message.en, hint.en),
-            None => self.message.en.clone(),
+        match &self.0.hint {
+            Some(hint) => format!("{} ({})", self.0.message.en, hint.en),
+            None => self.0.message.en.clone(),
         }
     }
 }
@@ -116,7 +120,7 @@ impl From<Error> for Failure {
 
 impl std::fmt::Display for Failure {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match &self.origin {
+        match &self.0.origin {
             Some(cell) => write!(f, "{cell}: {}", self.with_advice()),
             None => f.write_str(&self.with_advice()),
         }

@@ -44,7 +44,7 @@ impl<S: Arithmetic> Net<S> {
                 Value::Form(point) if point.axes() == 0 && level + 1 == self.orders.len() => {
                     self.push(point)?;
                 }
-                Value::Error(failure) => return Err(failure.as_ref().clone()),
+                Value::Error(failure) => return Err(failure.clone()),
                 Value::Form(form) if form.axes() > 0 => return Err(a_form_inside(form)),
                 Value::Form(_) | Value::List(_) => return Err(ragged(items)),
                 other => return Err(foreign(other)),

@@ -143,7 +143,7 @@ impl Operator {
             return failure.clone().into();
         }
         let result = match S::routine(&self.call) {
-            None => Err(self.not_exact()),
+            None => Err(not_exact()),
             Some(routine) => {
                 arguments.bind(self).and_then(|bound| routine(&bound)).and_then(checked)
             }
@@ -157,11 +157,11 @@ impl Operator {
     fn message_name(&self) -> Message {
         Message::new(self.english[0], self.french[0])
     }
+}
 
-    fn not_exact(&self) -> Failure {
-        let error = Error::domain("mode", "exact mode", "floating mode");
-        use_floating_mode(Failure::of(error, "mode : reçu mode exact, attendu mode flottant"))
-    }
+fn not_exact() -> Failure {
+    let error = Error::domain("mode", "exact mode", "floating mode");
+    use_floating_mode(Failure::of(error, "mode : reçu mode exact, attendu mode flottant"))
 }
 
 /// No number that is not finite, and none of a million digits, leaves an operator.

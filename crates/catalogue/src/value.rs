@@ -37,7 +37,7 @@ pub enum Value<S = f64> {
     /// Named values in order, such as a frame.
     Record(Vec<(Words, Value<S>)>),
     /// What went wrong.
-    Error(Box<Failure>),
+    Error(Failure),
 }
 
 impl<S: Arithmetic> Value<S> {
@@ -59,10 +59,10 @@ impl<S: Arithmetic> Value<S> {
         let list = Self::List(items);
         let (size, depth) = (list.size(), list.depth());
         if size > LIST_CAP {
-            return too_large(size, LIST_CAP, words_items()).into();
+            return too_large(size, LIST_CAP, &words_items()).into();
         }
         if depth > DEPTH_CAP {
-            return too_large(depth, DEPTH_CAP, words_levels()).into();
+            return too_large(depth, DEPTH_CAP, &words_levels()).into();
         }
         list
     }
@@ -169,7 +169,7 @@ fn words_levels() -> Message {
     Message::new("a nesting of lists", "un emboîtement de listes")
 }
 
-fn too_large(count: usize, cap: usize, what: Message) -> Failure {
+fn too_large(count: usize, cap: usize, what: &Message) -> Failure {
     Failure::new(
         "Limit",
         format!("{} of {count}: refused, the cap is {cap}", what.en),
@@ -179,7 +179,7 @@ fn too_large(count: usize, cap: usize, what: Message) -> Failure {
 
 impl<S> From<Failure> for Value<S> {
     fn from(failure: Failure) -> Self {
-        Self::Error(Box::new(failure))
+        Self::Error(failure)
     }
 }
 

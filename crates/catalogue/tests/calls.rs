@@ -1,5 +1,7 @@
 //! How arguments find their parameters, and what is said when they do not.
 
+#![allow(clippy::unwrap_used, clippy::expect_used)]
+
 use pforms_catalogue::{Arguments, Failure, Language, Value, complete, find, unknown};
 use pforms_kernel::Rational;
 
@@ -221,7 +223,7 @@ fn frames_are_records_with_names_in_both_languages() {
     assert_eq!(shown(&format!("=CURVATURE({curve}, 0)")), "1");
     assert_eq!(
         complaint(&format!("=FRAME({saddle}, 0, 0, part=\"torsion\")")),
-        "FRAME, entry: received “torsion”, expected point, tangent u, tangent v, normal, gauss, mean, \
+        "FRAME, entry: received “torsion”, expected point, tu, tv, normal, gauss, mean, \
          principal, directions, first, second, area"
     );
     assert!(complaint(&format!("=FRAME({curve}, 0, 1)")).contains("parameters"));

@@ -1,5 +1,7 @@
 //! What must be true of every entry.
 
+#![allow(clippy::unwrap_used, clippy::expect_used)]
+
 use std::collections::HashMap;
 
 use pforms_catalogue::{Language, Operator, catalogue, find, fold};

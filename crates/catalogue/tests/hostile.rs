@@ -1,8 +1,12 @@
 //! Whatever is given, in whatever order: an answer or an error, at once, and never a panic.
 
+#![allow(clippy::unwrap_used, clippy::expect_used)]
+
 use std::time::{Duration, Instant};
 
-use pforms_catalogue::{Arguments, Arithmetic, Failure, Infix, Value, binary, catalogue, negate};
+use pforms_catalogue::{
+    Arguments, Arithmetic, Failure, Infix, Language, Value, binary, catalogue, negate,
+};
 use pforms_kernel::Rational;
 
 mod reader;
@@ -49,7 +53,7 @@ fn every_call<S: Arithmetic>() {
         let call = |arguments: &[&Value<S>]| {
             let value = operator.call(Arguments::new(arguments.iter().map(|&value| value.clone())));
             let settled = value.settle();
-            settled.display(Default::default());
+            settled.display(Language::English);
             settled.to_json();
         };
         call(&[]);

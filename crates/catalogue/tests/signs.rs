@@ -1,5 +1,7 @@
 //! The signs of formulas, and the elementary functions.
 
+#![allow(clippy::unwrap_used, clippy::expect_used)]
+
 use pforms_catalogue::{Arithmetic, Elementary, Infix, Language, Value, binary, negate};
 use pforms_kernel::{Rational, Scalar};
 

@@ -1,5 +1,7 @@
 //! Values: what a cell settles to, how it is shown, what it refuses.
 
+#![allow(clippy::unwrap_used, clippy::expect_used)]
+
 use pforms_catalogue::{Arithmetic, DEPTH_CAP, Failure, LIST_CAP, Language, Value};
 use pforms_kernel::{Error, Rational};
 

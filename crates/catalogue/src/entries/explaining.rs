@@ -7,7 +7,7 @@ use super::{Outcome, PLAIN, T, list_of_numbers};
 use crate::cost::require_readable;
 use crate::operator::{Group, call};
 use crate::words::words;
-use crate::{Arguments, Arithmetic, Bound, Failure, Operator, Parameter, Takes, Value};
+use crate::{Arguments, Arithmetic, Bound, Operator, Parameter, Takes, Value};
 
 /// Above this degree a table of Bernstein polynomials answers nobody's question.
 const DEGREE_CAP: f64 = 1000.0;
@@ -163,13 +163,11 @@ fn form_of(value: Value<Rational>) -> pforms_kernel::Result<Form<Rational>> {
 
 fn bernstein<S: Arithmetic>(a: &Bound<S>) -> Outcome<S> {
     let row = bernstein_row(a.whole(0)?, &a.number(2)?);
-    match row.get(a.whole(1)?) {
-        Some(value) => Ok(Value::Number(value.clone())),
-        None => {
-            let expected = words("a whole number from 0 to n", "un nombre entier de 0 à n");
-            Err::<_, Failure>(a.refused(1, &a.value(1), expected))
-        }
-    }
+    let value = row.get(a.whole(1)?).cloned().map(Value::Number);
+    value.ok_or_else(|| {
+        let expected = words("a whole number from 0 to n", "un nombre entier de 0 à n");
+        a.refused(1, &a.value(1), expected)
+    })
 }
 
 fn pascal<S: Arithmetic>(a: &Bound<S>) -> Outcome<S> {

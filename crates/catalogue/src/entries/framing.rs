@@ -48,12 +48,14 @@ pub(super) static ENTRIES: &[Operator] = &[
         ),
         help: words(
             "A record. Of a curve: point, tangent, normal, binormal, curvature, torsion, speed. Of a \
-             surface: point, tangent u, tangent v, normal, gauss, mean, principal, first, second, area. \
-             Of a volume: point, its tangents, jacobian. part = \"normal\" takes one entry; vectors are \
+             surface: point, tu, tv, normal, gauss, mean, principal, first, second, area. \
+             Of a volume: point, tu, tv, tw, \
+             jacobian. part = \"normal\" takes one entry; vectors are \
              directions, so p + 0.3*n moves the point p along the normal n.",
             "Une fiche. D'une courbe : point, tangente, normale, binormale, courbure, torsion, vitesse. \
-             D'une surface : point, tangente u, tangente v, normale, gauss, moyenne, principales, \
-             première, seconde, aire. D'un volume : point, ses tangentes, jacobien. partie = \"normale\" \
+             D'une surface : point, tu, tv, normale, gauss, moyenne, principales, \
+             première, seconde, aire. D'un volume : point, tu, tv, tw, \
+             jacobien. partie = \"normale\" \
              en prend une entrée ; les vecteurs sont des directions : p + 0.3*n déplace le point p le \
              long de la normale n.",
         ),
@@ -189,12 +191,12 @@ fn frame(a: &Bound<f64>) -> Outcome<f64> {
         (1, _) => of_curve(a, &form, &at, unit)?,
         (2, [u, v]) => {
             let frame = operators::surface_frame(&form, *u, *v)?;
-            of_surface(if unit { frame } else { frame.unnormalised() })
+            of_surface(&if unit { frame } else { frame.unnormalised() })
         }
         _ => {
             form.require_per_axis("parameters", &at)?;
             let frame = operators::volume_frame(&form, &at)?;
-            of_volume(if unit { frame } else { frame.unnormalised() })
+            of_volume(&if unit { frame } else { frame.unnormalised() })
         }
     };
     picked(a, 4, entries)
@@ -232,11 +234,11 @@ fn of_curve(a: &Bound<f64>, form: &Form, at: &[f64], unit: bool) -> Result<Entri
     Ok(entries)
 }
 
-fn of_surface(frame: SurfaceFrame) -> Entries {
+fn of_surface(frame: &SurfaceFrame) -> Entries {
     let mut entries = vec![
         (words("point", "point"), Value::point(&frame.point, None)),
-        (words("tangent u", "tangente u"), direction(&frame.tangents[0])),
-        (words("tangent v", "tangente v"), direction(&frame.tangents[1])),
+        (words("tu", "tu"), direction(&frame.tangents[0])),
+        (words("tv", "tv"), direction(&frame.tangents[1])),
     ];
     push(&mut entries, words("normal", "normale"), frame.normal.as_deref().map(direction));
     frame.curvature.iter().for_each(|bend| entries.extend(of_bend(bend)));
@@ -259,12 +261,8 @@ fn of_bend(bend: &SurfaceCurvature) -> Entries {
     entries
 }
 
-fn of_volume(frame: VolumeFrame) -> Entries {
-    const NAMES: [Words; 3] = [
-        words("tangent u", "tangente u"),
-        words("tangent v", "tangente v"),
-        words("tangent w", "tangente w"),
-    ];
+fn of_volume(frame: &VolumeFrame) -> Entries {
+    const NAMES: [Words; 3] = [words("tu", "tu"), words("tv", "tv"), words("tw", "tw")];
     let mut entries = vec![(words("point", "point"), Value::point(&frame.point, None))];
     let all = frame.tangents.iter().map(|tangent| direction(tangent));
     entries.extend(NAMES.into_iter().zip(all.clone()));

@@ -103,7 +103,7 @@ impl<S: Arithmetic> Evaluator<'_, S> {
     fn coordinate(&self, id: NodeId) -> Result<S, Failure> {
         match self.operand(id) {
             Value::Number(x) => Ok(x),
-            Value::Error(failure) => Err(*failure),
+            Value::Error(failure) => Err(failure),
             other => {
                 let text: String = self.tree.text(id).chars().take(40).collect();
                 let (en, fr) = (other.kind(Language::English), other.kind(Language::French));
