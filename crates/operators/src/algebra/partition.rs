@@ -28,6 +28,6 @@ pub fn partition<S: Scalar>(a: &S, b: &S, r: u32) -> Result<Vec<S>> {
 pub(super) fn parts(argument: &str, r: u32) -> Result<usize> {
     1usize
         .checked_shl(r)
-        .filter(|parts| *parts <= 1 << 40)
+        .filter(|parts| *parts as u64 <= 1 << 40)
         .ok_or_else(|| Error::domain(argument, r, "0 to 40 halvings"))
 }
