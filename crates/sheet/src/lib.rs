@@ -43,7 +43,6 @@ pub use cell::{Cost, Info};
 pub use document::{Document, Settings};
 pub use edit::Edit;
 pub use editing::Clip;
-pub use evaluate::RANGE_CAP;
 pub use history::{Entry, Snapshot, Step};
 pub use name::{Target, check_name};
 pub use pforms_formula::{Address, Range};

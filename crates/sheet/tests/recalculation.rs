@@ -136,9 +136,23 @@ fn gaps_in_a_range_are_errors_and_empty_ends_are_not() {
 }
 
 #[test]
-fn a_range_too_large_to_read_is_refused() {
-    let sheet: Sheet = drawn("A1: =B1:ZZZ1000000");
-    assert!(text(&sheet, "A1").contains("18277000000 cells: refused"), "{}", text(&sheet, "A1"));
+fn ranges_are_as_long_as_what_they_hold() {
+    let sheet: Sheet = drawn(
+        "B1: (0, 0)
+         C1: (1, 0)
+         B2: (0, 1)
+         C2: (1, 1)
+         A1: =B1:ZZZ1000000
+         A2: =D1:ZZZ1000000
+         A3: =MIR(D1:D1000000)
+         A4: =C1:ZZZ2
+         A5: =A4:A3",
+    );
+    assert_eq!(text(&sheet, "A1"), "pS22 · 2D");
+    assert_eq!(text(&sheet, "A2"), "[]");
+    assert!(text(&sheet, "A3").starts_with("! A3: MIR, forms"), "{}", text(&sheet, "A3"));
+    assert_eq!(text(&sheet, "A4"), "pS21 · 2D");
+    assert!(text(&sheet, "A5").starts_with("! A3: "), "{}", text(&sheet, "A5"));
 }
 
 #[test]

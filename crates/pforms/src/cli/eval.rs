@@ -103,7 +103,8 @@ fn in_full<S: Arithmetic>(sheet: &Sheet<S>, at: Address, language: Language) -> 
     match sheet.value(at) {
         Value::Error(failure) => lines.push(format!("  {}", poles::complaint(failure, language))),
         value => {
-            lines.extend(poles::lines(value, language).into_iter().map(|line| format!("  {line}")))
+            let own = poles::lines(value, language);
+            lines.extend(own.into_iter().map(|line| format!("  {line}")));
         }
     }
     lines

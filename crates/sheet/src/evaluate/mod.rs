@@ -6,8 +6,6 @@
 mod calls;
 mod references;
 
-pub use references::RANGE_CAP;
-
 use std::cell::Cell as Flag;
 use std::collections::BTreeMap;
 

@@ -8,9 +8,6 @@ use pforms_kernel::Error;
 use super::{Evaluator, Surroundings};
 use crate::Target;
 
-/// Cells one range may hold when its values are asked for.
-pub const RANGE_CAP: u64 = 1 << 20;
-
 /// Cells of a range read between two looks at the token that cancels.
 const PATIENCE: usize = 1024;
 
@@ -21,32 +18,50 @@ impl<S: Arithmetic> Surroundings<'_, S> {
 
     /// The values of a range: in order for one row or one column, else its rows as lists.
     ///
-    /// Empty cells at the end do not count; one before the end is an error that names it, since
-    /// leaving it out would make another form of the rest.
+    /// Empty cells at the end of a row, and empty rows at the end, do not count. One before the end
+    /// is an error that names it, since leaving it out would make another form of the rest. Only
+    /// cells that are not empty are visited.
     pub(crate) fn rows(&self, range: &Range) -> Result<Vec<Value<S>>, Failure> {
-        let count = range.len();
-        if count > RANGE_CAP {
-            return Err(too_many(range, count));
-        }
-        let (first, last) = range.columns();
-        let width = (last - first + 1) as usize;
-        let mut cells = Vec::with_capacity(count as usize);
-        for (visited, at) in range.cells().enumerate() {
-            if visited % PATIENCE == 0 && self.cancel.is_cancelled() {
-                self.interrupted.set(true);
-                return Ok(Vec::new());
+        let filled = self.filled(range);
+        let (first_column, last_column) = range.columns();
+        let (first_row, last_row) = range.rows();
+        let mut rows = Vec::new();
+        for (row, cells) in (first_row..).zip(filled.chunk_by(|a, b| a.0.row() == b.0.row())) {
+            let mut values = Vec::with_capacity(cells.len());
+            for (column, (at, value)) in (first_column..).zip(cells) {
+                if (at.column(), at.row()) != (column, row) {
+                    return Err(gap(column, row));
+                }
+                values.push((*value).clone());
             }
-            cells.push((at, self.at(at)));
+            rows.push(values);
         }
-        if width == 1 || cells.len() == width {
-            return without_gaps(cells);
-        }
-        let rows = cells.chunks(width).map(|row| without_gaps(row.to_vec()));
-        let mut rows: Vec<Vec<Value<S>>> = rows.collect::<Result<_, _>>()?;
-        while rows.last().is_some_and(Vec::is_empty) {
-            rows.pop();
+        if first_row == last_row || first_column == last_column {
+            return Ok(rows.into_iter().flatten().collect());
         }
         Ok(rows.into_iter().map(Value::list).collect())
+    }
+
+    /// The cells of a range that have a value, row by row.
+    fn filled(&self, range: &Range) -> Vec<(Address, &Value<S>)> {
+        let (first_column, last_column) = range.columns();
+        let (first_row, last_row) = range.rows();
+        let column = |column| {
+            let ends = Address::new(column, first_row).zip(Address::new(column, last_row));
+            ends.into_iter().flat_map(|(first, last)| self.cells.range(first..=last))
+        };
+        let mut filled = Vec::new();
+        for (at, cell) in (first_column..=last_column).flat_map(column) {
+            if filled.len() % PATIENCE == 0 && self.cancel.is_cancelled() {
+                self.interrupted.set(true);
+                return Vec::new();
+            }
+            if !matches!(cell.value, Value::Empty) {
+                filled.push((*at, &cell.value));
+            }
+        }
+        filled.sort_by_key(|(at, _)| (at.row(), at.column()));
+        filled
     }
 }
 
@@ -67,16 +82,9 @@ impl<S: Arithmetic> Evaluator<'_, S> {
     }
 }
 
-/// The values up to the last that is not empty.
-fn without_gaps<S>(mut cells: Vec<(Address, Value<S>)>) -> Result<Vec<Value<S>>, Failure> {
-    while cells.last().is_some_and(|(_, value)| matches!(value, Value::Empty)) {
-        cells.pop();
-    }
-    let sound = |(at, value)| match value {
-        Value::Empty => Err(empty(&Address::to_string(&at))),
-        value => Ok(value),
-    };
-    cells.into_iter().map(sound).collect()
+/// The error of a range with an empty cell before its end.
+fn gap(column: u32, row: u32) -> Failure {
+    empty(&Address::new(column, row).map_or(String::new(), |at| at.to_string()))
 }
 
 /// The error of an operator that meets an empty cell.
@@ -87,14 +95,6 @@ pub(super) fn empty(cell: &str) -> Failure {
         format!("{cell} : reçu une cellule vide, attendu une valeur"),
     )
     .with_hint(format!("type a value into {cell}"), format!("tapez une valeur dans {cell}"))
-}
-
-fn too_many(range: &Range, count: u64) -> Failure {
-    Failure::new(
-        "Limit",
-        format!("{range} has {count} cells: refused, the cap is {RANGE_CAP}"),
-        format!("{range} a {count} cellules : refusé, le plafond est {RANGE_CAP}"),
-    )
 }
 
 fn nameless(name: &str) -> Failure {
