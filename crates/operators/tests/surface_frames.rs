@@ -152,3 +152,33 @@ fn refusals() {
     };
     assert!((bend.gauss - 0.25).abs() < 1e-15);
 }
+
+/// The patches of a `.bpt` file: a count, then for each its degrees and its points.
+fn patches(name: &str) -> Vec<Form> {
+    let root = concat!(env!("CARGO_MANIFEST_DIR"), "/../../cases/models/");
+    let text = std::fs::read_to_string(format!("{root}{name}.bpt")).unwrap();
+    let mut numbers = text.split_whitespace().map(|word| word.parse::<f64>().unwrap());
+    let count = numbers.next().unwrap() as usize;
+    (0..count)
+        .map(|_| {
+            let orders = [0, 1].map(|_| numbers.next().unwrap() as usize + 1);
+            let points: Vec<f64> = numbers.by_ref().take(orders[0] * orders[1] * 3).collect();
+            Form::from_points(&orders, 3, &points, None).unwrap()
+        })
+        .collect()
+}
+
+#[test]
+fn every_point_of_the_tea_set_has_a_normal() {
+    let steps = [0.0, 1e-9, 0.25, 0.5, 0.9, 1.0];
+    for name in ["newell-teapot32", "newell-teacup26", "newell-teaspoon16"] {
+        for (index, patch) in patches(name).iter().enumerate() {
+            let mut normals = vec![0.0; 36 * 3];
+            let done = normal_grid_into(patch, &[&steps, &steps], &mut normals);
+            assert!(done.is_ok(), "{name} {index}: {done:?}");
+            // On an edge and next to it: the same to the eye.
+            let (edge, near) = (&normals[3..18], &normals[18 + 3..36]);
+            assert!(distance(edge, near) < 1e-6, "{name} {index}: {edge:?} {near:?}");
+        }
+    }
+}

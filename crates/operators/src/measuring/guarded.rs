@@ -21,9 +21,9 @@ const ROUNDINGS: f64 = 32.0;
 
 /// Is the vector more than rounding?
 pub(crate) fn significant(vector: &[Guarded]) -> bool {
-    let value: f64 = vector.iter().map(|x| x.value * x.value).sum();
-    let size: f64 = vector.iter().map(|x| x.size * x.size).sum();
-    value.sqrt() > ROUNDINGS * f64::EPSILON * size.sqrt()
+    let value = vector.iter().fold(0.0_f64, |most, x| most.max(x.value.abs()));
+    let size = vector.iter().fold(0.0_f64, |most, x| most.max(x.size));
+    value > ROUNDINGS * f64::EPSILON * size
 }
 
 pub(crate) fn values(vector: &[Guarded]) -> Vec<f64> {
