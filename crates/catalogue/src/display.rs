@@ -7,6 +7,9 @@ use crate::{Arithmetic, Language, Value};
 /// Items of a list that are written out.
 const SHOWN: usize = 6;
 
+/// Characters of a number that a cell has room for.
+const ROOM: usize = 40;
+
 /// Longest text that is repeated in an error.
 const QUOTED: usize = 30;
 
@@ -15,7 +18,7 @@ impl<S: Arithmetic> Value<S> {
     pub fn display(&self, language: Language) -> String {
         match self {
             Self::Empty => String::new(),
-            Self::Number(x) => x.write(),
+            Self::Number(x) => short(x),
             Self::Boolean(value) => boolean(*value, language).to_owned(),
             Self::Text(text) => text.clone(),
             Self::Form(form) if form.axes() == 0 => point(form),
@@ -61,6 +64,12 @@ impl<S: Arithmetic> Value<S> {
     }
 }
 
+/// A number as a cell has room for it: a fraction of many digits as the decimal nearest to it.
+fn short<S: Arithmetic>(x: &S) -> String {
+    let text = x.write();
+    if text.len() <= ROOM { text } else { format!("≈ {}", x.to_f64().write()) }
+}
+
 pub(crate) fn pick(language: Language, en: &'static str, fr: &'static str) -> &'static str {
     match language {
         Language::English => en,
@@ -85,12 +94,12 @@ fn of_form<S: Scalar>(form: &Form<S>, language: Language) -> String {
 fn point<S: Arithmetic>(form: &Form<S>) -> String {
     let (coordinates, weight) = form.homogeneous().split_at(form.ambient());
     let divide = |x: &S| {
-        if weight[0].is_zero() { x.write() } else { (x.clone() / weight[0].clone()).write() }
+        if weight[0].is_zero() { short(x) } else { short(&(x.clone() / weight[0].clone())) }
     };
     let numbers: Vec<String> = coordinates.iter().map(divide).collect();
     let numbers = numbers.join(", ");
     if weight[0] != S::one() {
-        format!("({numbers}; {})", weight[0].write())
+        format!("({numbers}; {})", short(&weight[0]))
     } else if form.ambient() == 1 {
         format!("({numbers},)")
     } else {

@@ -2,7 +2,7 @@
 
 use pforms_kernel::Error;
 
-use crate::{Language, Message};
+use crate::{Language, Message, Operator};
 
 /// An error on its way through the cells: said in both languages, with the cell it came from and
 /// what to do about it.
@@ -47,12 +47,19 @@ impl Failure {
         self
     }
 
-    /// Puts the operator in which it happened before the message.
+    /// Puts the operator in which it happened before the message; in French, its parameter too
+    /// goes by its French name.
     #[must_use]
-    pub(crate) fn within(mut self, name: &Message) -> Self {
-        self.0.message.en = format!("{}, {}", name.en, self.0.message.en);
-        self.0.message.fr = format!("{}, {}", name.fr, self.0.message.fr);
-        self.0.error = self.0.error.take().map(|error| prefixed(error, &name.en));
+    pub(crate) fn within(mut self, operator: &Operator) -> Self {
+        let [en, fr] = [Language::English, Language::French].map(|l| operator.formula_name(l));
+        let Message { en: english, fr: french } = &self.0.message;
+        let renamed = operator.parameters.iter().find_map(|parameter| {
+            let rest = french.strip_prefix(parameter.name.en)?.strip_prefix(" : ")?;
+            Some(format!("{} : {rest}", parameter.name.fr))
+        });
+        let french = renamed.as_ref().unwrap_or(french);
+        self.0.message = Message::new(format!("{en}, {english}"), format!("{fr}, {french}"));
+        self.0.error = self.0.error.take().map(|error| prefixed(error, en));
         self
     }
 

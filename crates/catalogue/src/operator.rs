@@ -4,9 +4,7 @@ use pforms_kernel::{Error, Rational};
 use serde::{Serialize, Serializer};
 
 use crate::elementary::use_floating_mode;
-use crate::{
-    Arguments, Arithmetic, Bound, Failure, Language, Message, Parameter, Takes, Value, Words,
-};
+use crate::{Arguments, Arithmetic, Bound, Failure, Language, Parameter, Takes, Value, Words};
 
 /// What computes a call: bound arguments in, a value out.
 #[doc(hidden)]
@@ -150,12 +148,8 @@ impl Operator {
         };
         match result {
             Ok(value) => value,
-            Err(failure) => failure.within(&self.message_name()).into(),
+            Err(failure) => failure.within(self).into(),
         }
-    }
-
-    fn message_name(&self) -> Message {
-        Message::new(self.english[0], self.french[0])
     }
 }
 
@@ -164,12 +158,16 @@ fn not_exact() -> Failure {
     use_floating_mode(Failure::of(error, "mode : reçu mode exact, attendu mode flottant"))
 }
 
-/// No number that is not finite, and none of a million digits, leaves an operator.
+/// No number that is not finite, and none of thousands of digits, leaves an operator.
 pub(crate) fn checked<S: Arithmetic>(value: Value<S>) -> Result<Value<S>, Failure> {
-    match &value {
-        Value::Number(x) => x.check()?,
-        Value::Form(form) if S::EXACT => form.homogeneous().iter().try_for_each(S::check)?,
-        _ => {}
+    check(&value).map(|()| value)
+}
+
+fn check<S: Arithmetic>(value: &Value<S>) -> Result<(), Failure> {
+    match value {
+        Value::Number(x) => x.check(),
+        Value::Form(form) if S::EXACT => form.homogeneous().iter().try_for_each(S::check),
+        Value::List(items) => items.iter().try_for_each(check),
+        _ => Ok(()),
     }
-    Ok(value)
 }

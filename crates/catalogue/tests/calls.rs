@@ -103,6 +103,10 @@ fn wrong_arguments_are_named() {
         complaint("=REVERSE((0, 0), 0, 1)"),
         "REVERSE, arguments: received 3, expected at most 2: REVERSE(form, [axis])"
     );
+    assert_eq!(
+        failure("=SUB([(0, 0), (1, 1)], 1, 0)").message(Language::French),
+        "SOUSFORME, axe : reçu 1, attendu 0 à 0 pour une pL2"
+    );
     assert_eq!(complaint("=SQRT(4, x=9)"), "SQRT, x: received two values, expected one");
     assert_eq!(
         complaint("=PARTITION(0, 1, 60)"),

@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 
 use pforms_catalogue::{Arithmetic, DEPTH_CAP, Failure, LIST_CAP, Language, Value};
-use pforms_kernel::{Error, Rational};
+use pforms_kernel::{Error, Rational, Scalar};
 
 mod reader;
 
@@ -68,6 +68,9 @@ fn numbers_are_shown_shortest() {
     let third: Value<Rational> = reader::compute("=1/3");
     assert_eq!(third.display(Language::French), "1/3");
     assert_eq!(third.to_json(), "1/3");
+    let long: Value<Rational> = Value::Number(Rational::ratio(1, 3).power(100));
+    assert!(long.display(Language::English).starts_with("≈ 1.94032521748263"));
+    assert!(long.to_json().as_str().unwrap().starts_with("1/5153775207320113310364"));
 }
 
 #[test]

@@ -171,19 +171,22 @@ pub(super) static ENTRIES: &[Operator] = &[
 ];
 
 fn evaluate<S: Arithmetic>(a: &Bound<S>) -> Outcome<S> {
-    let lists: Vec<&Vec<Value<S>>> = a.all(1).iter().filter_map(as_list).collect();
-    let Some(first) = lists.first() else {
-        return point_at(a, a.all(1));
+    let place = match a.value(0) {
+        whole @ (Value::Piecewise(_) | Value::Immersed(_)) => whole,
+        other => a.form_of(0, &other)?.into(),
     };
-    if lists.iter().any(|list| list.len() != first.len()) {
+    let given = a.all(1);
+    let mut lists = given.iter().filter_map(as_list);
+    let Some(first) = lists.next() else {
+        return point_at(a, &place, given.iter());
+    };
+    if lists.any(|list| list.len() != first.len()) {
         let expected = words("lists of one length", "des listes de même longueur");
-        return Err(a.refused(1, &a.all(1)[0], expected));
+        return Err(a.refused(1, &given[0], expected));
     }
-    let column = |i: usize| {
-        let pick = |value: &Value<S>| as_list(value).map_or(value, |list| &list[i]).clone();
-        a.all(1).iter().map(pick).collect::<Vec<_>>()
-    };
-    let points = (0..first.len()).map(|i| point_at(a, &column(i)));
+    let points = (0..first.len()).map(|i| {
+        point_at(a, &place, given.iter().map(|value| as_list(value).map_or(value, |list| &list[i])))
+    });
     Ok(Value::list(points.collect::<Result<_, _>>()?))
 }
 
@@ -194,12 +197,16 @@ fn as_list<S>(value: &Value<S>) -> Option<&Vec<Value<S>>> {
     }
 }
 
-fn point_at<S: Arithmetic>(a: &Bound<S>, parameters: &[Value<S>]) -> Outcome<S> {
-    let at: Vec<S> = parameters.iter().map(|t| a.number_of(1, t)).collect::<Result<_, _>>()?;
-    let point = match a.value(0) {
+fn point_at<'a, S: Arithmetic>(
+    a: &Bound<S>,
+    place: &Value<S>,
+    parameters: impl Iterator<Item = &'a Value<S>>,
+) -> Outcome<S> {
+    let at: Vec<S> = parameters.map(|t| a.number_of(1, t)).collect::<Result<_, _>>()?;
+    let point = match place {
         Value::Piecewise(pieces) => pieces.at(&at)?,
         Value::Immersed(lazy) => lazy.at(&at)?,
-        other => a.form_of(0, &other)?.at(&at)?,
+        other => a.form_of(0, other)?.at(&at)?,
     };
     Ok(Form::point(&point)?.into())
 }
