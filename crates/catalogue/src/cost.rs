@@ -1,8 +1,8 @@
 //! Work that nobody would wait for is refused before it begins.
 //!
 //! The kernel caps what a result may occupy. A sheet is also typed in by hand, where a slip of the
-//! finger must not stop it, so here the time is capped too: to about a minute in floating mode, and
-//! as roughly in exact mode. Rust and Python may go beyond.
+//! finger must not stop it, so here the time is capped too: to some ten seconds in floating mode,
+//! and as roughly in exact mode. Rust and Python may go beyond.
 
 use pforms_kernel::{Error, Form, Kind};
 use pforms_operators::Immersed;
@@ -11,7 +11,7 @@ use crate::{Arithmetic, Failure};
 
 /// Multiplications that one call may take.
 fn cap<S: Arithmetic>() -> f64 {
-    if S::EXACT { 1e8 } else { 5e10 }
+    if S::EXACT { 2e7 } else { 1e10 }
 }
 
 /// The form, if a dense matrix may act along each of its axes: `order³` to make one.
