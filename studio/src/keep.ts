@@ -10,7 +10,8 @@ export const KEPT = 40;
 export interface KeptSheet {
   id: string;
   title: string;
-  text: string;
+  /** The sheet with its history, as the kernel gave it. */
+  snapshot: string;
   /** Milliseconds since 1970. */
   at: number;
 }
@@ -62,9 +63,9 @@ export function renewId(): string {
 }
 
 /** Stores the present sheet and drops the oldest ones. */
-export async function keep(title: string, text: string): Promise<void> {
+export async function keep(title: string, snapshot: string): Promise<void> {
   const id = currentId();
-  await sheets("readwrite", (store) => store.put({ id, title, text, at: Date.now() } satisfies KeptSheet));
+  await sheets("readwrite", (store) => store.put({ id, title, snapshot, at: Date.now() } satisfies KeptSheet));
   localStorage.setItem(LAST, id);
   const old = (await keptSheets()).slice(KEPT);
   for (const sheet of old) await forget(sheet.id);

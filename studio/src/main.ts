@@ -15,7 +15,7 @@ async function start(): Promise<void> {
   const studio = new Studio(new EngineClient(spawn));
   document.getElementById("studio")?.replaceWith(studio.root);
   const sheet = await lastSheet().catch(() => null);
-  await studio.begin(sheet?.text ?? null, figure(FIRST)?.text ?? "pfs = 1\n");
+  await studio.begin(sheet?.snapshot ?? null, figure(FIRST)?.text ?? "pfs = 1\n");
 }
 
 void start();

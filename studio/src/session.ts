@@ -1,6 +1,6 @@
 import { EngineFailure, type EngineClient } from "./engine/client";
 import { LatestWins } from "./engine/latest";
-import type { Address, Answer, Arguments, Camera, ExportFormat, Method, Style, Update } from "./engine/protocol";
+import type { Address, Answer, Arguments, Camera, Method, Style, Update } from "./engine/protocol";
 import { type Phrase, t } from "./i18n";
 import { keep, renewId } from "./keep";
 import type { Store } from "./store";
@@ -11,6 +11,9 @@ export interface Notices {
   info(message: string): void;
   kept(phrase: Phrase): void;
 }
+
+/** How long a computation may take to end when asked to, in milliseconds. */
+const PATIENCE = 500;
 
 type Changing = { [M in Method]: Answer<M> extends Update ? M : never }[Method];
 
@@ -25,6 +28,8 @@ export interface Move {
 export class Session {
   /** The sheet as it was after the last change that succeeded. */
   private lastGood = "";
+  private proceeding: Promise<void> | null = null;
+  private halted = false;
   private readonly keeper = new LatestWins<void>(() => this.keepNow());
   private readonly mover = new LatestWins<Move>((move) => this.moveNow(move));
 
@@ -38,9 +43,26 @@ export class Session {
   async change<M extends Changing>(method: M, ...args: Arguments<M>): Promise<boolean> {
     const update = await this.ask(method, ...args);
     if (!update) return false;
-    this.store.apply(update as Update);
+    this.take(update as Update);
     this.keeper.push();
     return true;
+  }
+
+  /** Takes in an answer; when it left cells to be computed, goes on with them. */
+  private take(update: Update): void {
+    this.store.apply(update);
+    this.halted = false;
+    if (update.pending > 0) this.proceeding ??= this.proceed();
+  }
+
+  /** Computes in slices, so that newer wishes are heard between them. */
+  private async proceed(): Promise<void> {
+    for (;;) {
+      const update = this.halted ? null : await this.ask("proceed");
+      if (update) this.store.apply(update);
+      if (!update?.pending) break;
+    }
+    this.proceeding = null;
   }
 
   /** Any call; null when it failed, and then the person has been told. */
@@ -53,16 +75,14 @@ export class Session {
     }
   }
 
-  /** Replaces the sheet; the present one stays in the gallery. */
-  async open(text: string, own = false): Promise<boolean> {
-    await this.keeper.idle();
-    const update = await this.ask("open", text);
-    if (!update) return false;
-    if (!own) renewId();
-    this.lastGood = text;
-    this.store.apply(update);
-    this.store.select({ column: 0, row: 0 });
-    return true;
+  /** Replaces the sheet by a `.pfs` text; the present one stays in the gallery. */
+  async open(text: string): Promise<boolean> {
+    return this.replace("open", text);
+  }
+
+  /** Replaces the sheet by a kept one, with its history. `own`: it is this tab's own sheet. */
+  async resume(snapshot: string, own: boolean): Promise<boolean> {
+    return this.replace("resume", snapshot, own);
   }
 
   async importFile(name: string, bytes: Uint8Array): Promise<boolean> {
@@ -70,8 +90,19 @@ export class Session {
     const update = await this.ask("importFile", name, bytes);
     if (!update) return false;
     if (update.whole) renewId();
-    this.store.apply(update);
+    this.take(update);
     this.keeper.push();
+    return true;
+  }
+
+  private async replace(method: "open" | "resume", text: string, own = false): Promise<boolean> {
+    await this.keeper.idle();
+    const update = await this.ask(method, text);
+    if (!update) return false;
+    if (!own) renewId();
+    this.take(update);
+    this.store.select({ column: 0, row: 0 });
+    this.lastGood = (await this.ask("snapshot")) ?? "";
     return true;
   }
 
@@ -93,18 +124,22 @@ export class Session {
     await this.change("movePole", move.address, move.index, move.to, move.step, "end");
   }
 
-  /** Ends a computation that takes too long; its change is taken back. */
-  stop(): void {
-    this.client.restart({ message: t("stopped"), hint: null, fatal: true });
+  /**
+   * Ends a computation that takes too long: between two cells, and then the rest stays uncomputed;
+   * or, when a single cell does not end, by force, and then the last change is taken back.
+   */
+  async stop(): Promise<void> {
+    this.halted = true;
+    const ended = this.proceeding?.then(() => true) ?? Promise.resolve(false);
+    const late = new Promise<boolean>((resolve) => setTimeout(() => resolve(false), PATIENCE));
+    if (!(await Promise.race([ended, late]))) {
+      this.client.restart({ message: t("stopped"), hint: null, fatal: true });
+    }
   }
 
   async setCamera(camera: Camera): Promise<void> {
     await this.ask("setCamera", camera);
     this.keeper.push();
-  }
-
-  async export(format: ExportFormat): Promise<Uint8Array | null> {
-    return this.ask("exportFile", format);
   }
 
   /** Resolves when the sheet is safe. */
@@ -114,15 +149,15 @@ export class Session {
 
   private async moveNow(move: Move): Promise<void> {
     const update = await this.ask("movePole", move.address, move.index, move.to, move.step, "during");
-    if (update) this.store.apply(update);
+    if (update) this.take(update);
   }
 
   private async keepNow(): Promise<void> {
-    const text = await this.ask("save");
-    if (text === null) return;
-    this.lastGood = text;
+    const snapshot = await this.ask("snapshot");
+    if (snapshot === null) return;
+    this.lastGood = snapshot;
     try {
-      await keep(this.store.title || t("untitled"), text);
+      await keep(this.store.title || t("untitled"), snapshot);
       this.notices.kept("saved");
     } catch {
       this.notices.kept("notSaved");
@@ -143,7 +178,7 @@ export class Session {
     if (message === t("stopped")) this.notices.info(message);
     else this.notices.error(t("cannotDo"), t("crashed", { message }), hint);
     try {
-      this.store.apply(await this.client.call("open", this.lastGood));
+      this.store.apply(await this.client.call("resume", this.lastGood));
     } finally {
       this.recovering = false;
     }

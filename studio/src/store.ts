@@ -1,5 +1,5 @@
 import { addressOf, type Block, blockOf, type Place, placeOf } from "./sheet/address";
-import type { Address, Camera, CellInfo, Drawing, Note, Poles, Update } from "./engine/protocol";
+import type { Address, Camera, CellInfo, Drawing, Note, Poles, Undrawn, Update } from "./engine/protocol";
 
 export interface Topics {
   /** Cells whose contents changed; null when all did. */
@@ -19,6 +19,9 @@ export class Store {
   readonly cells = new Map<Address, CellInfo>();
   readonly drawings = new Map<Address, Drawing>();
   readonly poles = new Map<Address, Poles>();
+  readonly undrawn = new Map<Address, Undrawn>();
+  /** Number of cells still to be computed. */
+  pending = 0;
   notes: Note[] = [];
   title = "";
   canUndo = false;
@@ -62,6 +65,7 @@ export class Store {
       this.cells.clear();
       this.drawings.clear();
       this.poles.clear();
+      this.undrawn.clear();
     }
     const touched = this.applyCells(update);
     const drawn = this.applyDrawings(update);
@@ -90,12 +94,15 @@ export class Store {
   private applyDrawings(update: Update): Set<Address> {
     const drawn = new Set<Address>();
     for (const address of [...update.hidden, ...update.removed]) {
+      this.undrawn.delete(address);
       if (this.drawings.delete(address)) drawn.add(address);
     }
     for (const drawing of update.drawings) {
       this.drawings.set(drawing.address, drawing);
+      this.undrawn.delete(drawing.address);
       drawn.add(drawing.address);
     }
+    for (const trouble of update.undrawn) this.undrawn.set(trouble.address, trouble);
     return drawn;
   }
 
@@ -105,6 +112,7 @@ export class Store {
       this.tell("title", undefined);
     }
     if (update.notes) this.notes = update.notes;
+    this.pending = update.pending;
     this.canUndo = update.canUndo;
     this.canRedo = update.canRedo;
     this.tell("history", undefined);

@@ -35,7 +35,7 @@ export class Studio {
   constructor(client: EngineClient) {
     const status = new StatusBar(
       this.store,
-      () => this.session.stop(),
+      () => void this.session.stop(),
       (on) => this.root.classList.toggle("with-costs", on),
     );
     this.session = new Session(this.store, client, {
@@ -43,13 +43,16 @@ export class Studio {
       info: (message) => this.toasts.info(message),
       kept: (phrase) => status.say(phrase),
     });
-    client.onBusy = (count) => status.setBusy(count);
+    client.onBusy = (count) => {
+      status.setBusy(count);
+      this.root.dataset["calls"] = String(count);
+    };
     this.files = new Files(this.session, this.toasts);
     this.sheet = new Sheet(this.session);
     this.view = makeView(this.session);
     this.gallery = new Gallery({
       open: (figure) => void this.session.open(figure.text),
-      reopen: (sheet) => void this.session.open(sheet.text),
+      reopen: (sheet) => void this.session.resume(sheet.snapshot, false),
     });
     this.functions = new Functions({
       catalogue: () => this.session.ask("catalogue"),
@@ -62,8 +65,8 @@ export class Studio {
   /** Opens what was kept from last time, else the first example. */
   async begin(kept: string | null, first: string): Promise<void> {
     if (language() !== "en") await this.session.ask("setLanguage", language());
-    const restored = kept !== null && (await this.session.open(kept, true));
-    if (!restored) await this.session.open(first, true);
+    const restored = kept !== null && (await this.session.resume(kept, true));
+    if (!restored) await this.session.open(first);
     this.view?.recolor();
     if (keptDraft()) this.sheet.restoreDraft();
     else this.sheet.focus();

@@ -7,7 +7,7 @@
 
 export type Address = string;
 export type Language = "en" | "fr";
-export type DrawMode = "points" | "curve" | "surface" | "envelope" | "sheets" | "fibres" | "net";
+export type DrawMode = "points" | "curve" | "surface" | "envelope" | "sheets" | "fibres" | "net" | "poles" | "normals";
 export type ViewName = "OX" | "OY" | "OZ" | "AXO" | "PERSPECTIVE";
 export type ExportFormat = "glb" | "obj" | "stl" | "pov";
 
@@ -25,6 +25,10 @@ export interface Style {
   radius: number;
   /** Number of sheets or fibres per direction. */
   count: number;
+  /** The axis that sheets lie across and fibres run along. */
+  axis: number;
+  /** Of normals. */
+  length: number;
 }
 
 /** Why a cell has no value; `from`…`to` is the place in the cell's own source, in UTF-16 units. */
@@ -44,14 +48,18 @@ export interface Cost {
   bytes: string;
 }
 
+/** What a value is, in no language: a page may rely on it. */
+export type Sort = "empty" | "number" | "boolean" | "text" | "form" | "list" | "record" | "error";
+
 export interface CellInfo {
   address: Address;
   /** As the person types it, in the current language's number style. */
   source: string;
   /** The value in short. */
   text: string;
-  /** `pS33`, `number`, `text`, `list`, `error`, … */
+  /** `pS33`, `number`, `text`, `list`, … in the current language. */
   kind: string;
+  sort: Sort;
   error: CellError | null;
   cost: Cost | null;
   name: string | null;
@@ -61,6 +69,8 @@ export interface CellInfo {
   modes: DrawMode[];
   /** Cells that the formula reads. */
   reads: Address[];
+  /** Not computed yet: the rest tells what it was. */
+  pending: boolean;
 }
 
 /** A pole of a literal cell, which can be dragged. */
@@ -85,18 +95,19 @@ export interface Drawing {
   address: Address;
   color: [number, number, number];
   opacity: number;
-  flat: boolean;
   meshes: { positions: Float32Array; normals: Float32Array; indices: Uint32Array }[];
   /** `starts` holds the first vertex of each polyline, then the total. */
   lines: { positions: Float32Array; starts: Uint32Array; radius: number }[];
   points: { positions: Float32Array; radius: number }[];
 }
 
+/** Where the viewer stands; what is absent is fitted to the forms. */
 export interface Camera {
-  view: ViewName;
-  position: [number, number, number] | null;
-  target: [number, number, number] | null;
-  zoom: number | null;
+  view?: ViewName;
+  position?: [number, number, number] | null;
+  target?: [number, number, number] | null;
+  /** Without perspective the picture shows `1 / zoom` across. */
+  zoom?: number | null;
 }
 
 export interface Note {
@@ -120,6 +131,24 @@ export interface Update {
   canRedo: boolean;
   /** True when the whole sheet was replaced: forget everything known before. */
   whole: boolean;
+  /** Number of cells still to be computed: ask to `proceed`. */
+  pending: number;
+  /** Cells that are shown but cannot be drawn. */
+  undrawn: Undrawn[];
+}
+
+/** Why a cell that is shown has no picture. */
+export interface Undrawn {
+  address: Address;
+  message: string;
+  hint: string | null;
+}
+
+/** Copied cells on their way to another place. */
+export interface Clip {
+  /** `A1:B3` */
+  range: string;
+  cells: [Address, string][];
 }
 
 export interface Parameter {
@@ -159,20 +188,35 @@ export interface Assistance {
   diagnostics: Diagnostic[];
 }
 
+export interface Exported {
+  name: string;
+  bytes: Uint8Array<ArrayBuffer>;
+}
+
 export type Gesture = "begin" | "during" | "end";
 
-/** The calls themselves. Each either answers or fails with a [`Failure`]. */
+/** The calls themselves. Each either answers or fails with a `Failure`. */
 export interface Engine {
   open(pfs: string): Update;
+  /** The sheet as a `.pfs` text. */
   save(): string;
+  /** The sheet with its history, to be kept and given to `resume`. */
+  snapshot(): string;
+  resume(snapshot: string): Update;
   set(entries: [Address, string][]): Update;
+  /** References in the copied formulas follow. */
+  paste(clip: Clip, to: Address): Update;
+  /** Copies one cell into a range. */
+  fill(from: Address, range: string): Update;
   setStyle(address: Address, style: Style | null): Update;
-  setName(address: Address, name: string | null): Update;
+  setName(address: Address, name: string | undefined): Update;
   setTitle(title: string): Update;
   setCamera(camera: Camera): null;
   setLanguage(language: Language): Update;
   undo(): Update;
   redo(): Update;
+  /** Goes on computing what an earlier answer left pending. */
+  proceed(): Update;
   /** `step` is the grid the coordinates are rounded to. */
   movePole(address: Address, index: number[], to: number[], step: number, gesture: Gesture): Update;
   /** Typed coordinates, and the weight last. */
@@ -180,7 +224,8 @@ export interface Engine {
   assist(text: string, caret: number): Assistance;
   catalogue(): Operator[];
   importFile(name: string, bytes: Uint8Array): Update;
-  exportFile(format: ExportFormat): Uint8Array;
+  /** One file, or several that belong together, named `stem`. */
+  exportFile(format: ExportFormat, stem: string): Exported[];
 }
 
 export type Method = keyof Engine;

@@ -59,8 +59,8 @@ export class Files {
       this.toasts.error(t("cannotDo"), t("nothingToExport"));
       return;
     }
-    const bytes = await this.session.export(format);
-    if (bytes) this.give(`${this.stem()}.${format}`, bytes as Uint8Array<ArrayBuffer>, TYPES[format]);
+    const files = (await this.session.ask("exportFile", format, this.stem())) ?? [];
+    for (const { name, bytes } of files) this.give(name, bytes, TYPES[format]);
   }
 
   private give(name: string, content: BlobPart, type: string): void {

@@ -26,7 +26,7 @@ export class Inspector {
     const { store } = this.session;
     const cell = store.selected;
     const note = store.notes.find((one) => one.cell === store.address)?.text ?? "";
-    const state = JSON.stringify([store.address, cell ?? null, note]);
+    const state = JSON.stringify([store.address, cell ?? null, note, store.undrawn.get(store.address) ?? null]);
     if (state === this.shown) return;
     const focused = (document.activeElement as HTMLElement | null)?.dataset["field"];
     this.shown = state;
@@ -47,7 +47,7 @@ export class Inspector {
       el("h2", {}, address),
       cell ? el("span", { class: cell.error ? "kind wrong" : "kind" }, cell.kind) : el("span", { class: "muted" }, t("emptyCell")),
       cell && !cell.error ? el("span", { class: "value", title: cell.text }, cell.text) : el("span", { class: "value" }),
-      cell ? nameField(cell.name ?? "", (name) => void this.session.change("setName", address, name || null)) : null,
+      cell ? nameField(cell.name ?? "", (name) => void this.session.change("setName", address, name || undefined)) : null,
       cell?.cost ? costs(cell) : null,
     );
   }
@@ -58,7 +58,14 @@ export class Inspector {
     const shown = check("show", t("show"), style !== null, (on) => this.send(cell, on ? defaultStyle(cell) : null));
     shown.classList.add("switch");
     const ways = el("div", { class: "ways" }, shown, ...cell.modes.map((mode) => this.way(cell, mode)));
-    return el("div", { class: "style" }, ways, style ? this.details(cell, style) : null);
+    const trouble = this.session.store.undrawn.get(cell.address);
+    return el(
+      "div",
+      { class: "style" },
+      ways,
+      trouble ? el("p", { class: "trouble" }, t("notDrawn", { message: trouble.message })) : null,
+      style ? this.details(cell, style) : null,
+    );
   }
 
   private way(cell: CellInfo, mode: DrawMode): HTMLElement {
@@ -81,10 +88,12 @@ export class Inspector {
       colorField(style.color, (color) => set({ color })),
       slider("opacity", style.opacity, 0.05, 1, 0.05, (opacity) => set({ opacity })),
       slider("fineness", fineness, 0, 8, 1, (value) => set({ fineness: value })),
-      has("points", "curve", "fibres", "net")
+      has("points", "curve", "fibres", "net", "poles", "normals")
         ? slider("radius", style.radius, 0.002, 0.08, 0.001, (radius) => set({ radius }))
         : null,
       has("sheets", "fibres") ? slider("count", style.count, 2, 24, 1, (count) => set({ count })) : null,
+      has("sheets", "fibres") ? slider("axis", style.axis, 0, 2, 1, (axis) => set({ axis })) : null,
+      has("normals") ? slider("length", style.length, 0.02, 1, 0.02, (length) => set({ length })) : null,
       filled ? shading(style.shading, (value) => set({ shading: value })) : null,
     );
   }

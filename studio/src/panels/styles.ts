@@ -12,11 +12,9 @@ export const PALETTE = [
   "#c9c4b8",
 ] as const;
 
-const RANK: DrawMode[] = ["surface", "envelope", "curve", "points", "net", "sheets", "fibres"];
-
-/** How a cell is drawn when it is switched on: its fullest way, in a colour of its own. */
+/** How a cell is drawn when it is switched on: its most usual way, in a colour of its own. */
 export function defaultStyle(cell: CellInfo): Style {
-  const mode = RANK.find((candidate) => cell.modes.includes(candidate)) ?? "points";
+  const mode: DrawMode = cell.modes[0] ?? "points";
   return {
     draw: [mode],
     shading: "smooth",
@@ -25,6 +23,8 @@ export function defaultStyle(cell: CellInfo): Style {
     fineness: 5,
     radius: 0.012,
     count: 5,
+    axis: 0,
+    length: 0.1,
   };
 }
 

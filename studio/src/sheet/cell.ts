@@ -1,9 +1,9 @@
 import { el, fill } from "../dom";
-import type { CellInfo } from "../engine/protocol";
+import type { CellInfo, Sort } from "../engine/protocol";
 import { t } from "../i18n";
 
-/** Kinds whose value is read as it stands; the others are forms, shown by their kind and their source. */
-const PLAIN = new Set(["number", "text", "bool", "empty"]);
+/** Values that are read as they stand; the others are shown by their kind and their source. */
+const PLAIN: ReadonlySet<Sort> = new Set<Sort>(["number", "text", "boolean", "empty"]);
 
 /** Longest text put into a cell: what does not fit the column cannot be seen anyway. */
 const SHOWN = 120;
@@ -22,13 +22,17 @@ export function paintCell(cell: HTMLTableCellElement, info: CellInfo | undefined
     return;
   }
   if (info.error) paintError(cell, info);
-  else if (PLAIN.has(info.kind)) paintPlain(cell, info);
+  else if (PLAIN.has(info.sort)) paintPlain(cell, info);
   else paintForm(cell, info);
+  if (info.pending) {
+    cell.classList.add("pending");
+    cell.title = t("pending");
+  }
   if (info.cost) cell.append(el("span", { class: "cell-cost" }, `${info.cost.time} · ${info.cost.bytes}`));
 }
 
 function paintPlain(cell: HTMLTableCellElement, info: CellInfo): void {
-  cell.className = info.kind;
+  cell.className = info.sort;
   cell.title = info.source.slice(0, SHOWN);
   fill(cell, el("span", { class: "text" }, info.text.slice(0, SHOWN)));
 }

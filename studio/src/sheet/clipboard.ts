@@ -1,4 +1,23 @@
-import { addressOf, type Block, type Place } from "./address";
+import type { Clip } from "../engine/protocol";
+import { addressOf, type Block, blockName, type Place, placesIn } from "./address";
+
+/** Our own kind of clipboard contents: formulas pasted from it follow their new place. */
+export const CLIP = "application/x-pforms-cells";
+
+export function toClip(block: Block, sourceAt: (place: Place) => string): Clip {
+  const all = [...placesIn(block)].map((place): [string, string] => [addressOf(place), sourceAt(place)]);
+  return { range: blockName(block), cells: all.filter(([, source]) => source !== "") };
+}
+
+/** Reads what [`toClip`] made; null for anything else. */
+export function fromClip(text: string): Clip | null {
+  try {
+    const clip = JSON.parse(text) as Partial<Clip> | null;
+    return typeof clip?.range === "string" && Array.isArray(clip.cells) ? (clip as Clip) : null;
+  } catch {
+    return null;
+  }
+}
 
 /** Sources as other spreadsheets expect them: tabs between columns, line ends between rows. */
 export function toTable(block: Block, sourceAt: (place: Place) => string): string {

@@ -4,7 +4,7 @@ export type GridAction =
   | { do: "home"; all: boolean }
   | { do: "edit"; text: string | null }
   | { do: "clear" }
-  | { do: "undo" | "redo" | "copy" | "cut" | "selectAll" | "toggleDraw" | "leave" };
+  | { do: "undo" | "redo" | "copy" | "cut" | "selectAll" | "fill" | "toggleDraw" | "leave" };
 
 /** The part of a `KeyboardEvent` that matters. */
 export interface Stroke {
@@ -47,6 +47,8 @@ function commandAction(stroke: Stroke): GridAction | null {
     case "a":
       return { do: "selectAll" };
     case "d":
+      return { do: "fill" };
+    case "enter":
       return { do: "toggleDraw" };
     case "home":
       return { do: "home", all: true };

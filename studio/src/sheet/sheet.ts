@@ -3,7 +3,7 @@ import { keepDraft, keptDraft } from "../keep";
 import type { Session } from "../session";
 import { defaultStyle } from "../panels/styles";
 import { addressOf, blockName, type Place, placeOf, placesIn } from "./address";
-import { fromTable, toTable } from "./clipboard";
+import { CLIP, fromClip, fromTable, toClip, toTable } from "./clipboard";
 import { FormulaBar, type Leave } from "./formulabar";
 import { Grid } from "./grid";
 import { type GridAction, gridAction } from "./keys";
@@ -115,6 +115,9 @@ export class Sheet {
       case "selectAll":
         this.selectAll();
         break;
+      case "fill":
+        void this.fillDown();
+        break;
       case "toggleDraw":
         void this.toggleDraw(store.focus);
         break;
@@ -219,17 +222,31 @@ export class Sheet {
 
   private copy(event: ClipboardEvent): void {
     const { store } = this.session;
-    const text = toTable(store.block, (place) => store.cells.get(addressOf(place))?.source ?? "");
-    event.clipboardData?.setData("text/plain", text);
+    const source = (place: Place): string => store.cells.get(addressOf(place))?.source ?? "";
+    event.clipboardData?.setData("text/plain", toTable(store.block, source));
+    event.clipboardData?.setData(CLIP, JSON.stringify(toClip(store.block, source)));
     event.preventDefault();
   }
 
   private async paste(event: ClipboardEvent): Promise<void> {
-    const text = event.clipboardData?.getData("text/plain") ?? "";
     event.preventDefault();
     const { block } = this.session.store;
-    const entries = fromTable(text, { column: block.left, row: block.top });
-    if (entries.length > 0) await this.session.change("set", entries);
+    const corner = { column: block.left, row: block.top };
+    const clip = fromClip(event.clipboardData?.getData(CLIP) ?? "");
+    if (clip) await this.session.change("paste", clip, addressOf(corner));
+    else {
+      const entries = fromTable(event.clipboardData?.getData("text/plain") ?? "", corner);
+      if (entries.length > 0) await this.session.change("set", entries);
+    }
+  }
+
+  /** Copies the first row of the selection into the others. */
+  private async fillDown(): Promise<void> {
+    const { left, right, top, bottom } = this.session.store.block;
+    for (let column = left; column <= right; column++) {
+      const range = { left: column, right: column, top, bottom };
+      await this.session.change("fill", addressOf({ column, row: top }), blockName(range));
+    }
   }
 
   private showSelected(): void {

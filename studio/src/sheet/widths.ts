@@ -14,7 +14,7 @@ export function columnWidths(cells: Iterable<CellInfo>, columns: number): number
   for (const cell of cells) {
     const column = placeOf(cell.address)?.column ?? columns;
     if (column >= columns) continue;
-    const plain = cell.kind === "number" || cell.kind === "text";
+    const plain = cell.sort === "number" || cell.sort === "text";
     const letters = plain ? cell.text.length : cell.source.length;
     const wanted = Math.ceil(letters * LETTER + FRAME + (plain ? 0 : BADGES));
     widths[column] = Math.max(widths[column]!, Math.min(MOST, wanted));

@@ -1,5 +1,6 @@
 import {
   CanvasTexture,
+  DoubleSide,
   Group,
   Sprite,
   SpriteMaterial,
@@ -34,7 +35,8 @@ export function makeAxes(): Group {
 
 function ray(end: [number, number, number], color: string, opacity: number): LineSegments2 {
   const geometry = new LineSegmentsGeometry().setPositions([0, 0, 0, ...end]);
-  return new LineSegments2(geometry, new LineMaterial({ color, opacity, transparent: opacity < 1, linewidth: 1.6 }));
+  const material = new LineMaterial({ color, opacity, transparent: opacity < 1, linewidth: 1.6, side: DoubleSide });
+  return new LineSegments2(geometry, material);
 }
 
 function label(text: string, color: string): Sprite {

@@ -57,13 +57,14 @@ export class Cameras {
 
   /** Takes over a camera of the sheet; what it leaves open is fitted to `box`. */
   restore(camera: Camera, box: Box3): void {
-    this.look(camera.view, box);
-    if (camera.target) this.target.copy(toScreenSpace(camera.target));
-    if (camera.position) this.place(toScreenSpace(camera.position));
-    if (camera.zoom && camera.zoom > 0) {
-      this.half = 0.5 / camera.zoom;
-      this.orthographic.zoom = 1;
-    }
+    this.look(camera.view ?? "AXO", box);
+    const zoom = camera.zoom ?? 0;
+    const aim = camera.target ? toScreenSpace(camera.target) : this.target.clone();
+    const away = this.active.position.clone().sub(this.target);
+    if (zoom > 0 && this.view === "PERSPECTIVE") away.divideScalar(zoom);
+    this.target.copy(aim);
+    this.place(camera.position ? toScreenSpace(camera.position) : aim.clone().add(away));
+    if (zoom > 0) this.half = 0.5 / zoom;
     this.project();
   }
 

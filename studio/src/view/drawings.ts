@@ -53,7 +53,6 @@ function makeMaterial(drawing: Drawing): MeshStandardMaterial {
     side: DoubleSide,
     roughness: 0.55,
     metalness: 0,
-    flatShading: drawing.flat,
   });
   material.onBeforeCompile = faceViewer;
   return material;
@@ -80,7 +79,7 @@ function makeMesh(part: Drawing["meshes"][number], material: MeshStandardMateria
 
 function makeBalls(positions: Float32Array, radius: number, material: MeshStandardMaterial): InstancedMesh {
   const count = positions.length / 3;
-  const balls = new InstancedMesh(count > MANY ? SMALL_BALL : BALL, solid(material), count);
+  const balls = new InstancedMesh(count > MANY ? SMALL_BALL : BALL, material, count);
   const place = new Matrix4();
   for (let i = 0; i < count; i++) {
     place.makeScale(radius, radius, radius);
@@ -95,7 +94,7 @@ function makeBalls(positions: Float32Array, radius: number, material: MeshStanda
 function makeTubes(line: Drawing["lines"][number], material: MeshStandardMaterial): Object3D[] {
   const { positions, starts, radius } = line;
   const points = positions.length / 3;
-  const rods = new InstancedMesh(ROD, solid(material), Math.max(0, points - (starts.length - 1)));
+  const rods = new InstancedMesh(ROD, material, Math.max(0, points - (starts.length - 1)));
   const from = new Vector3();
   const to = new Vector3();
   let rod = 0;
@@ -118,13 +117,4 @@ function rodMatrix(from: Vector3, to: Vector3, radius: number): Matrix4 {
   const turn = new Quaternion().setFromUnitVectors(UP, length > 0 ? axis.divideScalar(length) : UP);
   const middle = from.clone().add(to).multiplyScalar(0.5);
   return new Matrix4().compose(middle, turn, new Vector3(radius, length, radius));
-}
-
-/** Tubes and balls are round whatever the shading of the surfaces. */
-function solid(material: MeshStandardMaterial): MeshStandardMaterial {
-  if (!material.flatShading) return material;
-  const round = material.clone();
-  round.onBeforeCompile = faceViewer;
-  round.flatShading = false;
-  return round;
 }

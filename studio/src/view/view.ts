@@ -91,10 +91,10 @@ export class View {
   }
 
   private restore(camera: Camera): void {
-    this.untouched = camera.position === null;
+    this.untouched = !camera.position;
     this.stage.cameras.restore(camera, this.stage.bounds());
     this.stage.cameraChanged();
-    this.tools.show(camera.view);
+    this.tools.show(this.stage.cameras.view);
   }
 
   private look(view: ViewName, keep = true): void {

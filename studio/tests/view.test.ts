@@ -1,0 +1,117 @@
+import { Box3, Vector2, Vector3 } from "three";
+import { describe, expect, it } from "vitest";
+import type { Poles } from "../src/engine/protocol";
+import { Cameras } from "../src/view/cameras";
+import { Drag, pick, toPixels } from "../src/view/drag";
+import { type Handle, handledCells, MANY_POLES } from "../src/view/handles";
+import { decimalStep, netEdges, roundStep, toBook, toScreenSpace } from "../src/view/space";
+
+const UNIT = new Box3(new Vector3(-1, -1, -1), new Vector3(1, 1, 1));
+
+function square(): Cameras {
+  const cameras = new Cameras();
+  cameras.resize(800, 800);
+  return cameras;
+}
+
+describe("space", () => {
+  it("mirrors z and nothing else, both ways", () => {
+    expect(toScreenSpace([1, 2, 3]).toArray()).toEqual([1, 2, -3]);
+    expect(toBook(toScreenSpace([1, 2, 3]))).toEqual([1, 2, 3]);
+    expect(Object.is(toBook(new Vector3())[2], 0)).toBe(true);
+  });
+
+  it("rounds steps to 1, 2, 5 and to powers of ten", () => {
+    expect([0.0731, 0.3, 1, 19, 0].map(roundStep)).toEqual([0.05, 0.2, 1, 10, 1]);
+    expect([0.0731, 3].map(decimalStep)).toEqual([0.01, 1]);
+  });
+
+  it("joins the neighbours of a net along every axis", () => {
+    expect(netEdges([3])).toEqual([[0, 1], [1, 2]]);
+    expect(netEdges([2, 3])).toHaveLength(2 * 2 + 3);
+    expect(netEdges([2, 2, 2])).toHaveLength(12);
+    expect(netEdges([])).toEqual([]);
+  });
+});
+
+describe("the views of the book", () => {
+  const seen = (view: "OX" | "OY" | "OZ" | "AXO", book: [number, number, number]): [number, number] => {
+    const cameras = square();
+    cameras.look(view, UNIT);
+    cameras.active.updateMatrixWorld();
+    const at = toPixels(toScreenSpace(book), cameras, 800, 800);
+    return [Math.sign(Math.round(at.x - 400)), Math.sign(Math.round(400 - at.y))];
+  };
+
+  it("show x to the right and y up from the front", () => {
+    expect(seen("OZ", [1, 0, 0])).toEqual([1, 0]);
+    expect(seen("OZ", [0, 1, 0])).toEqual([0, 1]);
+    expect(seen("OX", [0, 0, 1])).toEqual([1, 0]);
+    expect(seen("OY", [0, 0, 1])).toEqual([0, 1]);
+  });
+
+  it("show the axonometry with x to the lower right and z to the upper right", () => {
+    expect(seen("AXO", [1, 0, 0])).toEqual([1, -1]);
+    expect(seen("AXO", [0, 0, 1])).toEqual([1, 1]);
+    expect(seen("AXO", [0, 1, 0])).toEqual([0, 1]);
+  });
+
+  it("come back from what the sheet keeps", () => {
+    const cameras = square();
+    cameras.look("PERSPECTIVE", UNIT);
+    const state = cameras.state();
+    const other = square();
+    other.restore(state, new Box3(new Vector3(5, 5, 5), new Vector3(6, 6, 6)));
+    expect(other.active.position.distanceTo(cameras.active.position)).toBeLessThan(1e-9);
+    expect(other.state()).toEqual(state);
+  });
+});
+
+describe("dragging", () => {
+  const cameras = square();
+  cameras.look("OZ", UNIT);
+  cameras.active.updateMatrixWorld();
+
+  it("moves in the plane that faces the viewer", () => {
+    const start = toScreenSpace([0.1, 0.2, 0.3]);
+    const grip = start.clone().project(cameras.active);
+    const drag = new Drag(start, cameras, new Vector2(grip.x, grip.y));
+    const to = toBook(drag.to(new Vector2(grip.x + 0.1, grip.y), false));
+    expect(to[0]).toBeGreaterThan(0.1);
+    expect(to[1]).toBeCloseTo(0.2, 12);
+    expect(to[2]).toBeCloseTo(0.3, 12);
+  });
+
+  it("keeps to the nearest axis when asked", () => {
+    const start = new Vector3();
+    const drag = new Drag(start, cameras, new Vector2(0, 0));
+    const to = drag.to(new Vector2(0.03, 0.2), true);
+    expect([to.x, to.z]).toEqual([0, 0]);
+    expect(to.y).toBeGreaterThan(0);
+  });
+
+  it("takes the nearest pole in reach, and the first of several at one place", () => {
+    const handle = (address: string, x: number): Handle => ({
+      address,
+      pole: { index: [0], position: [x, 0, 0], coordinates: [], weight: "1" },
+      at: new Vector3(x, 0, 0),
+    });
+    const handles = [handle("A1", 0), handle("A2", 0), handle("A3", 10)];
+    const flat = (at: Vector3): Vector2 => new Vector2(at.x, at.y);
+    expect(pick(handles, new Vector2(2, 0), flat)?.address).toBe("A1");
+    expect(pick(handles, new Vector2(9, 0), flat)?.address).toBe("A3");
+    expect(pick(handles, new Vector2(40, 0), flat)).toBeNull();
+  });
+
+  it("shows the poles of all cells while they are few", () => {
+    const net = (address: string, count: number): Poles => ({
+      address,
+      orders: [count],
+      poles: Array.from({ length: count }, (_, i) => ({ index: [i], position: null, coordinates: [], weight: "1" })),
+    });
+    const few = [net("A1", 3), net("A2", 3)];
+    expect(handledCells(few, "A2")).toEqual(few);
+    const many = [net("A1", MANY_POLES), net("A2", 3)];
+    expect(handledCells(many, "A2").map((one) => one.address)).toEqual(["A2"]);
+  });
+});
