@@ -40,7 +40,7 @@ fn texture(style: &Style) -> String {
     let clear = 1.0 - style.opacity;
     format!(
         "texture {{ pigment {{ color srgbt <{red:.4}, {green:.4}, {blue:.4}, {clear:.4}> }} \
-         finish {{ ambient 0.15 diffuse 0.6 specular 0.25 roughness 0.02 }} }}"
+         finish {{ ambient 0.25 diffuse 0.75 specular 0.3 roughness 0.02 }} }}"
     )
 }
 

@@ -2,14 +2,16 @@
 
 use std::fmt::Write;
 
-use pforms_mesh::vector::{Vec3, add, scale};
+use pforms_mesh::vector::{Vec3, add, norm, scale, subtract};
 use pforms_scene::{Placement, Projection, Scene, View};
 
 use super::vector;
 
-/// Radius of the ball round the book's usual scene, a cube of side 1; its lights and axes are
-/// scaled from there to the scene at hand.
+/// Radius of the ball round the book's usual scene, a cube of side 1: the measure of its lights.
 const USUAL_RADIUS: f64 = 0.87;
+
+/// What the book's usual picture shows across at its target: the measure of its axes.
+const USUAL_WIDTH: f64 = 1.84;
 
 /// The book's three lights, for its usual scene.
 const LIGHTS: [Vec3; 3] = [[2.0, 2.0, -2.0], [-2.0, 2.0, -2.0], [2.0, 0.0, 2.0]];
@@ -23,16 +25,20 @@ const AXES: [(Vec3, &str); 3] = [
 /// Writes everything but the drawn values. Writing to a string cannot fail.
 pub(super) fn write(text: &mut String, scene: &Scene) {
     let (centre, radius) = scene.bounds().ball();
-    let size = radius / USUAL_RADIUS;
+    let placement = scene.placement();
     text.push_str("global_settings { assumed_gamma 1.0 max_trace_level 64 }\n");
     text.push_str("background { color srgb 3/4 }\n");
-    camera(text, &scene.placement());
+    camera(text, &placement);
     for light in LIGHTS {
-        let place = vector(add(centre, scale(size, light)));
+        let place = vector(add(centre, scale(radius / USUAL_RADIUS, light)));
         let _ = writeln!(text, "light_source {{ {place} color rgb 0.75 shadowless }}");
     }
     if scene.axes {
-        axes(text, scene.camera.view, size);
+        let width = match placement.projection {
+            Projection::Parallel { across } => across,
+            Projection::Perspective => norm(subtract(placement.position, placement.target)),
+        };
+        axes(text, scene.camera.view, width / USUAL_WIDTH);
     }
 }
 

@@ -108,10 +108,11 @@ impl Input {
     }
 }
 
-/// The cells that are shown, or those asked for.
+/// The cells that are shown, unless they are empty, or those asked for.
 fn cells(sheet: &Sheet, asked: &[String]) -> Result<Vec<Subject>> {
     let document = sheet.document();
-    let mut addresses: Vec<Address> = document.shown().map(|(at, _)| at).collect();
+    let mut addresses: Vec<Address> =
+        document.shown().map(|(at, _)| at).filter(|at| *sheet.value(*at) != Value::Empty).collect();
     if !asked.is_empty() {
         addresses.clear();
         for place in asked {
