@@ -1,4 +1,5 @@
 //! Formulas nobody would write: each has a value, an error among them, and none stops the sheet.
+#![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test that cannot go on must stop")]
 
 mod common;
 
