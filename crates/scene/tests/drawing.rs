@@ -25,6 +25,7 @@ fn facet() -> Form {
     Form::from_points(&[2, 2], 3, &points, None).unwrap()
 }
 
+#[allow(clippy::needless_pass_by_value)]
 fn drawn(form: Form, table: serde_json::Value) -> Vec<Part> {
     draw(&Shapes::of(vec![form]), &Style::from_settings(&settings(&table)).unwrap()).unwrap()
 }
@@ -186,5 +187,5 @@ fn a_camera_is_read_without_surprises() {
 #[test]
 fn an_empty_scene_has_a_camera_too() {
     let placement = Scene::default().placement();
-    assert!(placement.position.iter().all(|x| x.is_finite()));
+    assert!(placement.position.iter().copied().all(f64::is_finite));
 }
