@@ -1,0 +1,147 @@
+"""The golden cases and the reference results, by the functions a Python program calls."""
+
+import json
+from fractions import Fraction
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import pforms as pf
+
+CASES = Path(__file__).parents[3] / "cases"
+ACCURACY = 1e-12
+
+# How the arguments of a golden case are handed over: `f` a form, then what the operator takes.
+CALLS = {
+    "bernstein": pf.bernstein,
+    "blossom": lambda f, *lists: f.blossom(*(lists if isinstance(lists[0], list) else [lists])),
+    "combine": lambda k, *forms: pf.combine(k, forms),
+    "derivative": lambda f, orders: f.derivative(orders),
+    "diagonal": lambda f, axes=None: f.diagonal(axes),
+    "elevate": lambda f, by: f.elevate(by),
+    "evaluate": lambda f, *at: f(*at),
+    "explain": pf.explain,
+    "hodograph": lambda f, axis: f.hodograph(axis),
+    "immerse": pf.immerse,
+    "interpolate": pf.interpolate,
+    "midpoint": pf.midpoint,
+    "partition": pf.partition,
+    "pascal": pf.pascal,
+    "reparametrise": lambda f, axis, c: f.reparametrise(axis, c),
+    "reverse": lambda f, axis: f.reverse(axis),
+    "segment": lambda host, a, b: pf.segment(host, a.poles, b.poles),
+    "split": lambda f, axis, t: f.split(axis, t),
+    "stack": pf.stack,
+    "stretch": lambda f, a, b: f.stretch(a, b),
+    "sub": lambda f, axis, t: f.sub(axis, t),
+    "subdivide": lambda f, r: f.subdivide(r).net,
+    "tile": lambda cell, cage, counts: pf.tile([cell], cage, counts),
+    "transpose": lambda f, axes: f.transpose(axes),
+    "whole_line": lambda f, axis=0: f.whole_line(axis),
+}
+
+
+def cases(folder, names):
+    return [
+        pytest.param(name, case, id=case["id"])
+        for name in names
+        for case in json.loads((CASES / folder / f"{name}.json").read_text())["cases"]
+    ]
+
+
+def number(text):
+    exact = Fraction(text)
+    return int(exact) if exact.denominator == 1 else float(exact)
+
+
+def form(record):
+    poles = np.array([[float(Fraction(x)) for x in pole] for pole in record["poles"]])
+    return pf.Form.from_homogeneous(poles.reshape(*record["orders"], -1))
+
+
+def argument(value):
+    [(what, content)] = value.items()
+    read = {"form": form, "number": number, "list": lambda items: [argument(x) for x in items]}
+    return read.get(what, lambda same: same)(content)
+
+
+def near(came, wanted, accuracy=ACCURACY):
+    wanted = np.asarray(wanted, float)
+    size = max(1.0, np.abs(wanted).max(initial=0))
+    np.testing.assert_allclose(np.asarray(came, float), wanted, rtol=0, atol=accuracy * size)
+
+
+def compare(came, expected):
+    if "contains" in expected:
+        assert set(expected["contains"]) <= set(came.splitlines())
+    elif "list" in expected:
+        assert len(came) == len(expected["list"])
+        for one, wanted in zip(came, expected["list"], strict=True):
+            compare(one, wanted)
+    elif "number" in expected:
+        near(came, number(expected["number"]))
+    elif isinstance(came, pf.Form):
+        wanted = form(expected.get("form") or expected["net"])
+        assert came.orders == wanted.orders
+        near(came.homogeneous, wanted.homogeneous)
+    else:
+        wanted = form(expected["form"])
+        near(came, wanted.poles if expected.get("projective") else wanted.homogeneous)
+
+
+@pytest.mark.parametrize(("name", "case"), cases("operators", CALLS))
+def test_golden_case(name, case):
+    call = CALLS[name]
+    arguments = [argument(value) for value in case["arguments"]]
+    options = {name: argument(value) for name, value in case.get("options", {}).items()}
+    if "error" not in case["expected"]:
+        compare(call(*arguments, **options), case["expected"])
+        return
+    with pytest.raises(pf.PformsError):
+        call(*arguments, **options)
+
+
+# The same for the results of the original system: arguments by name.
+REFERENCE = {
+    "diagonalisation": lambda f, p: f.diagonal(p["axes"]),
+    "elevation_curve": lambda f, p: f.elevate(p["by"]),
+    "elevation_surface": lambda f, p: f.elevate(p["by"]),
+    "stretch": lambda f, p: f.stretch(p["a"], p["b"]),
+    "subdivision": lambda f, p: f.subdivide(p["r"]),
+    "subform": lambda f, p: f.sub(p["axis"], p["t"]),
+    "interpolation_surface": lambda f, p: pf.interpolate(f, homogeneous=p["homogeneous"]),
+}
+
+
+@pytest.mark.parametrize(("name", "case"), cases("reference", REFERENCE))
+def test_reference_case(name, case):
+    came = REFERENCE[name](pf.Form.from_homogeneous(np.array(case["input"])), case["params"])
+    near(came.homogeneous, case["expected"])
+
+
+IMMERSIONS = ["immersion_curve_in_surface", "immersion_general"]
+FRENET = ["frame_curve"]
+TANGENT = ["frame_surface", "frame_volume"]
+
+
+@pytest.mark.parametrize(("name", "case"), cases("reference", IMMERSIONS))
+def test_reference_immersion(name, case):
+    inner, host = (pf.Form.from_homogeneous(np.array(case["input"][k])) for k in ("inner", "host"))
+    near(host(inner).homogeneous, case["expected"])
+
+
+@pytest.mark.parametrize(("name", "case"), cases("reference", FRENET))
+def test_reference_frenet_frame(name, case):
+    curve = pf.Form.from_homogeneous(np.array(case["input"]))
+    frame = curve.frame(case["params"]["at"], kind="frenet")
+    for part, wanted in case["expected"].items():
+        near(getattr(frame, part), wanted, 1e-11)
+
+
+@pytest.mark.parametrize(("name", "case"), cases("reference", TANGENT))
+def test_reference_tangent_frame(name, case):
+    form = pf.Form.from_homogeneous(np.array(case["input"]))
+    frame = form.frame(*case["params"]["at"])
+    for part, wanted in case["expected"].items():
+        near(getattr(frame, part), wanted, 1e-11)
