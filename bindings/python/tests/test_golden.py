@@ -125,22 +125,22 @@ FRENET = ["frame_curve"]
 TANGENT = ["frame_surface", "frame_volume"]
 
 
-@pytest.mark.parametrize(("name", "case"), cases("reference", IMMERSIONS))
-def test_reference_immersion(name, case):
+@pytest.mark.parametrize(("_name", "case"), cases("reference", IMMERSIONS))
+def test_reference_immersion(_name, case):
     inner, host = (pf.Form.from_homogeneous(np.array(case["input"][k])) for k in ("inner", "host"))
     near(host(inner).homogeneous, case["expected"])
 
 
-@pytest.mark.parametrize(("name", "case"), cases("reference", FRENET))
-def test_reference_frenet_frame(name, case):
+@pytest.mark.parametrize(("_name", "case"), cases("reference", FRENET))
+def test_reference_frenet_frame(_name, case):
     curve = pf.Form.from_homogeneous(np.array(case["input"]))
     frame = curve.frame(case["params"]["at"], kind="frenet")
     for part, wanted in case["expected"].items():
         near(getattr(frame, part), wanted, 1e-11)
 
 
-@pytest.mark.parametrize(("name", "case"), cases("reference", TANGENT))
-def test_reference_tangent_frame(name, case):
+@pytest.mark.parametrize(("_name", "case"), cases("reference", TANGENT))
+def test_reference_tangent_frame(_name, case):
     form = pf.Form.from_homogeneous(np.array(case["input"]))
     frame = form.frame(*case["params"]["at"])
     for part, wanted in case["expected"].items():
