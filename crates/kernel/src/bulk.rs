@@ -2,6 +2,7 @@
 
 use crate::basis::bernstein_row_into;
 use crate::jet::vanishing_weight;
+use crate::lanes::{Blocks, LANES};
 use crate::{Error, Form, Result, bernstein_row, limit};
 
 impl Form<f64> {
@@ -80,23 +81,31 @@ impl Form<f64> {
 
     /// [`Form::scattered`] into an array of the caller's.
     pub fn scattered_into(&self, parameters: &[&[f64]], out: &mut [f64]) -> Result<()> {
+        let count = self.require_batch(parameters, out, self.ambient())?;
+        let whole = self.write_blocks(parameters, count, out)?;
+        let rest: Vec<&[f64]> = parameters.iter().map(|list| &list[whole..]).collect();
         let mut batch = Batch::default();
         let ambient = self.ambient();
-        self.each_scattered(parameters, out, ambient, |form, at, part| {
+        self.each_scattered(&rest, &mut out[whole * ambient..], ambient, |form, at, part| {
             project(batch.homogeneous(form, at), part)
         })
     }
 
-    /// Calls `visit(form, parameters, numbers)` for each of the points.
-    ///
-    /// `width` numbers of `out` belong to each. Errors: `Shape`, and those of `visit`.
-    pub fn each_scattered(
-        &self,
-        parameters: &[&[f64]],
-        out: &mut [f64],
-        width: usize,
-        mut visit: impl FnMut(&Self, &[f64], &mut [f64]) -> Result<()>,
-    ) -> Result<()> {
+    /// Evaluates as many points as fill whole blocks of lanes; tells how many.
+    fn write_blocks(&self, parameters: &[&[f64]], count: usize, out: &mut [f64]) -> Result<usize> {
+        let Some(mut blocks) = Blocks::new(self) else { return Ok(0) };
+        let whole = count / LANES * LANES;
+        let parts = out.chunks_exact_mut(LANES * self.ambient());
+        for (start, part) in (0..whole).step_by(LANES).zip(parts) {
+            if !blocks.write(parameters, start, part) {
+                return Err(vanishing_weight());
+            }
+        }
+        Ok(whole)
+    }
+
+    /// Complains unless the lists have one length and fit `out`; gives that length.
+    fn require_batch(&self, parameters: &[&[f64]], out: &[f64], width: usize) -> Result<usize> {
         self.require_per_axis("parameters", parameters)?;
         let count = parameters.first().map_or(1, |list| list.len());
         for list in parameters {
@@ -110,6 +119,20 @@ impl Form<f64> {
             require_finite_list(list)?;
         }
         require_output(out, count * width)?;
+        Ok(count)
+    }
+
+    /// Calls `visit(form, parameters, numbers)` for each of the points.
+    ///
+    /// `width` numbers of `out` belong to each. Errors: `Shape`, and those of `visit`.
+    pub fn each_scattered(
+        &self,
+        parameters: &[&[f64]],
+        out: &mut [f64],
+        width: usize,
+        mut visit: impl FnMut(&Self, &[f64], &mut [f64]) -> Result<()>,
+    ) -> Result<()> {
+        self.require_batch(parameters, out, width)?;
         let mut at = vec![0.0; self.axes()];
         for (i, part) in out.chunks_exact_mut(width).enumerate() {
             for (t, list) in at.iter_mut().zip(parameters) {

@@ -26,6 +26,7 @@ mod evaluate;
 mod form;
 mod jet;
 mod kind;
+mod lanes;
 pub mod limit;
 mod matrix;
 mod pascal;

@@ -78,6 +78,31 @@ fn advance(index: &mut [usize], lists: &[Vec<f64>]) {
 }
 
 #[test]
+fn blocks_of_lanes_agree_with_single_points() {
+    for (axes, ambient) in [(1, 1), (1, 3), (2, 2), (2, 3), (3, 3), (3, 4), (4, 3), (2, 6)] {
+        let mut random = Random::new(axes as u64 + 10);
+        let orders = random.orders(axes, 5);
+        let f = random.rough_form(&orders, ambient, Weights::Positive);
+        let lists: Vec<Vec<f64>> =
+            (0..axes).map(|_| (0..21).map(|_| random.unit()).collect()).collect();
+        let borrowed: Vec<&[f64]> = lists.iter().map(Vec::as_slice).collect();
+        let batch = f.scattered(&borrowed).unwrap();
+        for (i, point) in batch.chunks(ambient).enumerate() {
+            let at: Vec<f64> = lists.iter().map(|list| list[i]).collect();
+            for (x, y) in f.at(&at).unwrap().iter().zip(point) {
+                assert!((x - y).abs() <= 16.0 * f64::EPSILON, "{} in {ambient}D", f.kind());
+            }
+        }
+    }
+    // A weight that vanishes in any lane is an error of the batch.
+    let f = Form::from_points(&[2], 1, &[1.0, 1.0], Some(&[1.0, -1.0])).unwrap();
+    let mut list = [0.25; 16];
+    assert!(f.scattered(&[&list]).is_ok());
+    list[11] = 0.5;
+    assert_eq!(f.scattered(&[&list]).unwrap_err().family(), "Domain");
+}
+
+#[test]
 fn wrong_batches_are_refused() {
     let f = Random::new(3).rough_form(&[3, 3], 3, Weights::One);
     let mut out = [0.0; 5];
