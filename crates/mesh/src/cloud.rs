@@ -1,6 +1,6 @@
 //! Any form as points.
 
-use pforms_kernel::{Form, Result, limit};
+use pforms_kernel::{Form, Result};
 
 use crate::Sampling;
 use crate::space::{embed, project, quadruples, tensor, ticks};
@@ -14,8 +14,6 @@ use crate::vector::Vec3;
 pub fn points(form: &Form, sampling: &Sampling) -> Result<Vec<Vec3>> {
     let form = embed(form)?;
     let segments = sampling.segments(&form)?;
-    let counts: Vec<usize> = segments.iter().map(|count| count + 1).collect();
-    limit::check::<f64>("the cloud", &counts, 4)?;
     let lists: Vec<Vec<f64>> = segments.iter().map(|&count| ticks(count)).collect();
     let lists: Vec<&[f64]> = lists.iter().map(Vec::as_slice).collect();
     let values = tensor(&form, &lists, None)?;

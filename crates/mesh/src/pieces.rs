@@ -87,6 +87,25 @@ pub(crate) fn finite_pieces(form: &Form) -> Result<Vec<Piece>> {
     Ok(pieces(form, false)?.finite)
 }
 
+/// The same pieces, halved further along every axis as often as `times`: poles of smaller pieces
+/// lie closer to the form and bound it better.
+pub(crate) fn refined(pieces: Vec<Piece>, times: u32) -> Result<Vec<Piece>> {
+    let mut pieces = pieces;
+    let axes = pieces.first().map_or(0, |piece| piece.depths.len());
+    for axis in (0..times).flat_map(|_| 0..axes) {
+        let mut finer = Vec::with_capacity(2 * pieces.len());
+        for piece in pieces {
+            if piece.form.orders()[axis] > 2 {
+                finer.extend(piece.halves(axis)?);
+            } else {
+                finer.push(piece);
+            }
+        }
+        pieces = finer;
+    }
+    Ok(pieces)
+}
+
 /// Centre of the box round all poles of the pieces, and the greatest distance of a pole from it.
 ///
 /// The convex hull of the poles holds the form, so that distance bounds the form's too.

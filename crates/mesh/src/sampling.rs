@@ -1,13 +1,18 @@
 //! How finely a form is sampled.
 
-use pforms_kernel::{Error, Form, Result, limit};
+use pforms_kernel::{Error, Form, Result};
 
 use crate::deviation::Deviation;
-use crate::pieces::finite_pieces;
+use crate::pieces::{finite_pieces, refined};
+use crate::room::require_room;
 use crate::space::embed;
 
 /// The finest recursion level: 2²⁴ halves along one axis.
 const MAX_FINENESS: u32 = 24;
+
+/// Halvings along each axis before the bound is taken. The first saves up to half of the
+/// triangles of the teapot, further ones next to none.
+const REFINEMENT: u32 = 1;
 
 /// How finely a form is sampled: by halving its window, or by how far facets may stray from it.
 #[derive(Clone, Debug, PartialEq)]
@@ -38,7 +43,7 @@ impl Sampling {
             Self::Tolerance(tolerance) => within(form, *tolerance)?,
         };
         let counts: Vec<usize> = segments.iter().map(|count| count + 1).collect();
-        limit::check::<[f64; 8]>("the samples", &counts, 1)?;
+        require_room("the drawing", &counts)?;
         Ok(segments)
     }
 }
@@ -58,7 +63,7 @@ fn within(form: &Form, tolerance: f64) -> Result<Vec<usize>> {
     if !(tolerance > 0.0 && tolerance.is_finite()) {
         return Err(Error::domain("tolerance", tolerance, "a positive length"));
     }
-    let pieces = finite_pieces(&embed(form)?)?;
+    let pieces = refined(finite_pieces(&embed(form)?)?, REFINEMENT)?;
     let counts = Deviation::of(&pieces, form.axes())?.segments(tolerance);
     // A count beyond the cap is refused by the caller; here it must only survive the cast.
     Ok(counts.iter().map(|count| count.min(1e15) as usize).collect())

@@ -1,9 +1,9 @@
 //! Spheres for points.
 
-use pforms_kernel::{Error, Result, limit};
+use pforms_kernel::{Error, Result};
 
-use crate::Triangles;
 use crate::vector::{Vec3, add, scale, unit};
+use crate::{Triangles, require_room};
 
 /// The six corners of an octahedron.
 const CORNERS: [Vec3; 6] = [
@@ -45,7 +45,7 @@ pub fn push_spheres(
         return Err(Error::domain("fineness", fineness, "0 to 8"));
     }
     let (directions, faces) = ball(fineness);
-    limit::check::<f64>("the spheres", &[centres.len(), directions.len()], 12)?;
+    require_room("the spheres", &[centres.len(), directions.len()])?;
     for centre in centres {
         let first = mesh.positions.len() as u32;
         mesh.positions.extend(directions.iter().map(|way| add(*centre, scale(radius, *way))));

@@ -7,6 +7,7 @@ use pforms_kernel::{Error, Form, Result};
 use crate::edge::{Edge, Key};
 use crate::normal::Surface;
 use crate::pieces::{ball, finite_pieces};
+use crate::room::require_room;
 use crate::space::{embed, require_axes, ticks};
 use crate::vector::Vec3;
 use crate::{Sampling, Triangles};
@@ -41,6 +42,9 @@ pub fn surface(form: &Form, sampling: &Sampling) -> Result<Triangles> {
 pub fn surfaces(forms: &[Form], sampling: &Sampling) -> Result<Vec<Triangles>> {
     let patches: Vec<Patch> =
         forms.iter().map(|form| Patch::new(form, sampling)).collect::<Result<_>>()?;
+    let samples = patches.iter().map(|patch| patch.segments.map(|count| count + 1));
+    let total = samples.map(|[rows, columns]| rows * columns).sum();
+    require_room("the mesh", &[total])?;
     let mut demands: HashMap<Key, usize> = HashMap::new();
     for (edge, segments) in patches.iter().flat_map(Patch::demands) {
         let demand = demands.entry(edge.key()).or_default();

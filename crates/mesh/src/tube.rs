@@ -1,9 +1,9 @@
 //! Round tubes about polylines.
 
-use pforms_kernel::{Error, Result, limit};
+use pforms_kernel::{Error, Result};
 
 use crate::vector::{Vec3, add, cross, dot, norm, perpendicular, scale, subtract, unit};
-use crate::{Polyline, Triangles};
+use crate::{Polyline, Triangles, require_room};
 
 /// A round tube about a polyline, closed at both ends by flat discs, or in itself.
 ///
@@ -19,7 +19,7 @@ pub fn tube(line: &Polyline, radius: f64, sides: usize) -> Result<Triangles> {
     if !(3..=4096).contains(&sides) {
         return Err(Error::domain("sides", sides, "3 to 4096"));
     }
-    limit::check::<f64>("the tube", &[line.points.len(), sides], 12)?;
+    require_room("the tube", &[line.points.len(), sides])?;
     let line = distinct(line);
     let mut mesh = Triangles::default();
     if line.points.len() < 2 {

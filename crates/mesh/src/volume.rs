@@ -2,6 +2,7 @@
 
 use pforms_kernel::{Error, Form, Result, bernstein_row};
 
+use crate::require_room;
 use crate::space::{embed, project, quadruples, require_axes, tensor};
 use crate::vector::{cross, dot};
 
@@ -46,7 +47,7 @@ pub fn fibres(form: &Form, axis: usize, count: usize) -> Result<Vec<Form>> {
     form.require_axis(axis)?;
     let mut fibres = vec![form.clone()];
     for other in (0..form.axes()).rev().filter(|&other| other != axis) {
-        pforms_kernel::limit::check::<Form>("the bundle", &[fibres.len(), count], 1)?;
+        require_room("the bundle", &[fibres.len(), count])?;
         let parts: Result<Vec<_>> = fibres.iter().map(|part| leaves(part, other, count)).collect();
         fibres = parts?.concat();
     }

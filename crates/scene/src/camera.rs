@@ -123,7 +123,7 @@ impl Camera {
         let target = self.target.unwrap_or(centre);
         let zoom = self.zoom.unwrap_or(1.0);
         let (distance, projection) = if self.view == View::Perspective {
-            let sine = HALF_ANGLE_TANGENT / HALF_ANGLE_TANGENT.hypot(1.0);
+            let sine = HALF_ANGLE_TANGENT / (1.0 + HALF_ANGLE_TANGENT.powi(2)).sqrt();
             (radius / (sine * zoom), Projection::Perspective)
         } else {
             let across = self.zoom.map_or(2.0 * radius, f64::recip);

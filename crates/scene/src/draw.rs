@@ -3,7 +3,7 @@
 use pforms_kernel::{Error, Form, Result};
 use pforms_mesh::{
     Polyline, Sampling, Triangles, curve, envelope, fibres, leaves, net, normals, points, poles,
-    surfaces,
+    require_room, surfaces,
 };
 
 use crate::{Mode, Part, Shading, Shapes, Style};
@@ -57,6 +57,7 @@ fn usual(shapes: &Shapes, style: &Style) -> Result<Vec<Part>> {
 fn in_mode(mode: Mode, forms: &[&Form], nets: &[Form], style: &Style) -> Result<Vec<Part>> {
     let sampling = &style.sampling();
     let (count, axis) = (style.count, style.axis);
+    forecast(mode, forms, sampling)?;
     Ok(match mode {
         Mode::Points => vec![spheres(gathered(forms, |form| points(form, sampling))?, style)],
         Mode::Curve => vec![tubes(gathered(forms, |form| lines(form, sampling))?, style)],
@@ -70,6 +71,7 @@ fn in_mode(mode: Mode, forms: &[&Form], nets: &[Form], style: &Style) -> Result<
             let bundle = gathered(forms, |form| fibres(form, axis, count))?;
             let along = only(sampling, axis);
             let bundle: Vec<&Form> = bundle.iter().collect();
+            forecast(Mode::Curve, &bundle, &along)?;
             vec![tubes(gathered(&bundle, |fibre| lines(fibre, &along))?, style)]
         }
         Mode::Net => {
@@ -86,6 +88,21 @@ fn in_mode(mode: Mode, forms: &[&Form], nets: &[Form], style: &Style) -> Result<
             vec![tubes(gathered(forms, needles)?, style)]
         }
     })
+}
+
+/// Refuses clouds and bundles that would be too large, before any of them is made.
+///
+/// What cannot be counted (a curve through infinity within a tolerance) is left to the meshing.
+fn forecast(mode: Mode, forms: &[&Form], sampling: &Sampling) -> Result<()> {
+    if !matches!(mode, Mode::Points | Mode::Curve) {
+        return Ok(());
+    }
+    let samples = |form: &&Form| -> usize {
+        let segments = sampling.segments(form).unwrap_or_default();
+        segments.iter().map(|count| count + 1).product()
+    };
+    let total = forms.iter().map(samples).fold(0, usize::saturating_add);
+    require_room("the drawing", &[total])
 }
 
 fn triangles(forms: &[Form], sampling: &Sampling, style: &Style) -> Result<Vec<Part>> {
