@@ -76,11 +76,16 @@ fn clear_things_and_odd_names_render() {
 
 #[test]
 fn the_smallest_and_the_emptiest_render() {
-    let mut scene = Scene::default();
-    let tiny = pforms_kernel::Form::point(&[1e-3, 0.0, 0.0]).unwrap();
-    let speck = Style { radius: 1e-3, ..Style::default() };
-    scene.add("speck", Shapes::of(vec![tiny]), speck).unwrap();
     let text = pov::write(&Scene::default()).unwrap();
     assert!(text.starts_with(b"// pforms\n#version 3.7;"));
-    render("speck", &scene);
+    for exponent in [-12, -3, 3, 12] {
+        let size = 10_f64.powi(exponent);
+        let mut scene = Scene { axes: true, ..Scene::default() };
+        let corners = [0., 0., 0., 0., size, 0., size, 0., 0., size, size, size];
+        let facet = pforms_kernel::Form::from_points(&[2, 2], 3, &corners, None).unwrap();
+        let mut look = style(&[Mode::Surface, Mode::Net], "#aa5500", 0.7);
+        look.radius = 0.05 * size;
+        scene.add("facet", Shapes::of(vec![facet]), look).unwrap();
+        render(&format!("size{exponent}"), &scene);
+    }
 }
