@@ -87,7 +87,7 @@ test("a damaged file is refused, and the open sheet stays", async () => {
   const files = {
     "cut.pfs": 'pfs = 1\n[cells]\nA1 = "(1, 2',
     "old.pfs": "pfs = 99\n",
-    "types.pfs": "pfs = 1\n[cells]\nA1 = 3\n",
+    "types.pfs": "pfs = 1\ncells = 3\n",
     "cut.bpt": "32\n3 3\n0 0 0\n",
     "huge.bpt": "1\n99999999 99999999\n0 0 0\n",
     "wrong.json": '{"forms": [1, 2',
@@ -97,7 +97,7 @@ test("a damaged file is refused, and the open sheet stays", async () => {
     const input = { name, mimeType: "text/plain", buffer: Buffer.from(text) };
     await studio.page.setInputFiles("input[type=file]", input);
     const toast = studio.page.locator(".toast.wrong").last();
-    await toast.waitFor();
+    await toast.waitFor({ timeout: 5_000 }).catch(() => assert.fail(`${name} was not refused`));
     assert.ok((await toast.innerText()).length > 20, name);
     await toast.locator("button").click();
     await stillWhole(studio);

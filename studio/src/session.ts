@@ -1,6 +1,6 @@
 import { EngineFailure, type EngineClient } from "./engine/client";
 import { LatestWins } from "./engine/latest";
-import type { Address, Answer, Arguments, Camera, Method, Style, Update } from "./engine/protocol";
+import type { Address, Answer, Arguments, Camera, Gesture, Method, Style, Update } from "./engine/protocol";
 import { type Phrase, t } from "./i18n";
 import { keep, renewId } from "./keep";
 import type { Store } from "./store";
@@ -30,8 +30,9 @@ export class Session {
   private lastGood = "";
   private proceeding: Promise<void> | null = null;
   private halted = false;
+  private dragging = false;
   private readonly keeper = new LatestWins<void>(() => this.keepNow());
-  private readonly mover = new LatestWins<Move>((move) => this.moveNow(move));
+  private readonly mover = new LatestWins<Move>((move) => this.moveNow(move, "during"));
 
   constructor(
     readonly store: Store,
@@ -116,12 +117,15 @@ export class Session {
   }
 
   async beginDrag(move: Move): Promise<void> {
-    await this.change("movePole", move.address, move.index, move.to, move.step, "begin");
+    this.dragging = true;
+    await this.moveNow(move, "begin");
   }
 
   async endDrag(move: Move): Promise<void> {
     await this.mover.idle();
-    await this.change("movePole", move.address, move.index, move.to, move.step, "end");
+    await this.moveNow(move, "end");
+    this.dragging = false;
+    this.keeper.push();
   }
 
   /**
@@ -147,12 +151,14 @@ export class Session {
     return this.keeper.idle();
   }
 
-  private async moveNow(move: Move): Promise<void> {
-    const update = await this.ask("movePole", move.address, move.index, move.to, move.step, "during");
+  private async moveNow(move: Move, gesture: Gesture): Promise<void> {
+    const update = await this.ask("movePole", move.address, move.index, move.to, move.step, gesture);
     if (update) this.take(update);
   }
 
   private async keepNow(): Promise<void> {
+    // A snapshot would end the gesture; the end of the drag keeps the sheet anyway.
+    if (this.dragging) return;
     const snapshot = await this.ask("snapshot");
     if (snapshot === null) return;
     this.lastGood = snapshot;

@@ -202,7 +202,7 @@ fn updated(answer: Answer) -> Result<JsValue, JsValue> {
 
 fn drawn(drawing: &Drawing) -> Result<JsValue, JsValue> {
     let object = Object::new();
-    let (meshes, lines, points) = (Array::new(), Array::new(), Array::new());
+    let (meshes, points) = (Array::new(), Array::new());
     for buffers in &drawing.buffers {
         let part = Object::new();
         match buffers {
@@ -212,12 +212,8 @@ fn drawn(drawing: &Drawing) -> Result<JsValue, JsValue> {
                 put(&part, "indices", &Uint32Array::from(indices.as_slice()))?;
                 meshes.push(&part);
             }
-            Buffers::Lines { positions, starts, radius } => {
-                put(&part, "positions", &floats(positions))?;
-                put(&part, "starts", &Uint32Array::from(starts.as_slice()))?;
-                put(&part, "radius", &(*radius).into())?;
-                lines.push(&part);
-            }
+            // Lines are tubes by now, see `Drawing`.
+            Buffers::Lines { .. } => {}
             Buffers::Points { positions, radius } => {
                 put(&part, "positions", &floats(positions))?;
                 put(&part, "radius", &(*radius).into())?;
@@ -229,7 +225,6 @@ fn drawn(drawing: &Drawing) -> Result<JsValue, JsValue> {
     put(&object, "color", &drawing.color.iter().map(|channel| JsValue::from(*channel)).collect::<Array>())?;
     put(&object, "opacity", &drawing.opacity.into())?;
     put(&object, "meshes", &meshes)?;
-    put(&object, "lines", &lines)?;
     put(&object, "points", &points)?;
     Ok(object.into())
 }

@@ -97,7 +97,8 @@ fn detail(parameter: &Parameter, language: Language) -> String {
         ref other => other.to_string(),
     };
     let left_out = pick(language, Words { en: "if left out", fr: "par défaut" });
-    format!("{text}; {fallback} {left_out}")
+    let mark = pick(language, Words { en: ";", fr: " ;" });
+    format!("{text}{mark} {fallback} {left_out}")
 }
 
 fn bounds(least: f64, most: f64, language: Language) -> String {

@@ -3,8 +3,12 @@
 use pforms_catalogue::Value;
 use pforms_formula::Address;
 use pforms_kernel::Result;
+use pforms_mesh::{Triangles, tube};
 use pforms_scene::{Buffers, Part, Shapes, Style, draw};
 use pforms_sheet::{Settings, Sheet};
+
+/// Sides of a tube on the screen.
+const SIDES: usize = 10;
 
 /// A drawn cell.
 #[derive(Clone, Debug, PartialEq)]
@@ -15,7 +19,7 @@ pub struct Drawing {
     pub color: [f64; 3],
     /// 0 to 1.
     pub opacity: f64,
-    /// What it consists of.
+    /// What it consists of: triangles, and points that the page draws as spheres.
     pub buffers: Vec<Buffers>,
 }
 
@@ -40,7 +44,17 @@ impl Drawing {
             address: at.to_string(),
             color: style.color.encoded(),
             opacity: style.opacity,
-            buffers: parts.iter().map(Part::buffers).collect(),
+            buffers: parts.iter().map(solid).collect::<Result<_>>()?,
         })
     }
+}
+
+/// A part with its lines as round tubes.
+fn solid(part: &Part) -> Result<Buffers> {
+    let Part::Lines { polylines, radius } = part else { return Ok(part.buffers()) };
+    let mut all = Triangles::default();
+    for line in polylines {
+        all.append(&tube(line, *radius, SIDES)?);
+    }
+    Ok(Part::Triangles(all).buffers())
 }

@@ -96,8 +96,7 @@ export interface Drawing {
   color: [number, number, number];
   opacity: number;
   meshes: { positions: Float32Array; normals: Float32Array; indices: Uint32Array }[];
-  /** `starts` holds the first vertex of each polyline, then the total. */
-  lines: { positions: Float32Array; starts: Uint32Array; radius: number }[];
+  /** Drawn as spheres. */
   points: { positions: Float32Array; radius: number }[];
 }
 

@@ -13,7 +13,8 @@ export interface BarEvents {
   /** Typing began or went on. */
   draft(text: string): void;
   commit(text: string, leave: Leave): void;
-  cancel(): void;
+  /** `back`: the keyboard returns to the sheet. */
+  cancel(back: boolean): void;
   goTo(address: string): void;
 }
 
@@ -191,17 +192,21 @@ export class FormulaBar {
     this.events.commit(this.editor.text, leave);
   }
 
-  cancel(): void {
+  private cancel(): void {
     this.end();
     this.editor.setText(this.original);
-    this.events.cancel();
+    this.events.cancel(true);
   }
 
   /** Going elsewhere on the page accepts what was typed, as spreadsheets do; leaving the window does not. */
   private left(to: EventTarget | null): void {
     if (!this.editing || !to || this.root.contains(to as Node)) return;
-    if (this.editor.text === this.original) this.cancel();
-    else this.commit("stay");
+    if (this.editor.text !== this.original) {
+      this.commit("stay");
+      return;
+    }
+    this.end();
+    this.events.cancel(false);
   }
 
   private end(): void {

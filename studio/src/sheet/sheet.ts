@@ -38,7 +38,7 @@ export class Sheet {
       assist: (text, caret) => session.ask("assist", text, caret),
       draft: (text) => this.drafted(text),
       commit: (text, leave) => void this.commit(text, leave),
-      cancel: () => this.cancelled(),
+      cancel: (back) => this.cancelled(back),
       goTo: (address) => this.goTo(address),
     });
     this.root = el("div", { class: "sheet-scroll" }, this.grid.table);
@@ -207,11 +207,11 @@ export class Sheet {
     this.showSelected();
   }
 
-  private cancelled(): void {
+  private cancelled(back: boolean): void {
     keepDraft(null);
     this.grid.showDraft(null);
     this.showSelected();
-    this.grid.focus();
+    if (back) this.grid.focus();
   }
 
   private async clear(): Promise<void> {

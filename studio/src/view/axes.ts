@@ -5,6 +5,7 @@ import {
   Sprite,
   SpriteMaterial,
   SRGBColorSpace,
+  Vector3,
 } from "three";
 import { LineMaterial } from "three/examples/jsm/lines/LineMaterial.js";
 import { LineSegments2 } from "three/examples/jsm/lines/LineSegments2.js";
@@ -19,18 +20,35 @@ const AXES = [
 /** The half-length of the axes when the scene has unit size. */
 const LENGTH = 1.35;
 
+/** The size of the names, in pixels. */
+const LETTER = 26;
+
 /** Ox red, Oy green, Oz blue, with their names at the positive ends. The negative halves are faint. */
-export function makeAxes(): Group {
-  const group = new Group();
-  for (const axis of AXES) {
-    const [x, y, z] = axis.end;
-    group.add(ray([x * LENGTH, y * LENGTH, z * LENGTH], axis.color, 1));
-    group.add(ray([-x * LENGTH, -y * LENGTH, -z * LENGTH], axis.color, 0.35));
-    const name = label(axis.name, axis.color);
-    name.position.set(x, y, z).multiplyScalar(LENGTH * 1.06);
-    group.add(name);
+export class Axes {
+  readonly group = new Group();
+  private readonly names: Sprite[] = [];
+
+  constructor() {
+    for (const axis of AXES) {
+      const [x, y, z] = axis.end;
+      const name = label(axis.name, axis.color);
+      name.position.set(x, y, z).multiplyScalar(LENGTH * 1.06);
+      this.names.push(name);
+      this.group.add(
+        ray([x * LENGTH, y * LENGTH, z * LENGTH], axis.color, 1),
+        ray([-x * LENGTH, -y * LENGTH, -z * LENGTH], axis.color, 0.35),
+        name,
+      );
+    }
   }
-  return group;
+
+  /** Keeps the names at their size; `pixel` tells the length of a pixel at a place. */
+  size(pixel: (at: Vector3) => number): void {
+    for (const name of this.names) {
+      const at = name.getWorldPosition(new Vector3());
+      name.scale.setScalar((LETTER * pixel(at)) / this.group.scale.x);
+    }
+  }
 }
 
 function ray(end: [number, number, number], color: string, opacity: number): LineSegments2 {
@@ -52,8 +70,5 @@ function label(text: string, color: string): Sprite {
   }
   const map = new CanvasTexture(canvas);
   map.colorSpace = SRGBColorSpace;
-  const material = new SpriteMaterial({ map, sizeAttenuation: false, depthTest: false });
-  const sprite = new Sprite(material);
-  sprite.scale.setScalar(0.034);
-  return sprite;
+  return new Sprite(new SpriteMaterial({ map, depthTest: false }));
 }

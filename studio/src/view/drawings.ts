@@ -2,7 +2,6 @@ import {
   BufferAttribute,
   BufferGeometry,
   Color,
-  CylinderGeometry,
   DoubleSide,
   Group,
   InstancedMesh,
@@ -10,15 +9,12 @@ import {
   Mesh,
   MeshStandardMaterial,
   type Object3D,
-  Quaternion,
   SphereGeometry,
-  Vector3,
 } from "three";
 import type { Drawing } from "../engine/protocol";
 
 const BALL = new SphereGeometry(1, 20, 14);
 const SMALL_BALL = new SphereGeometry(1, 10, 7);
-const ROD = new CylinderGeometry(1, 1, 1, 12, 1, true);
 /** Above so many balls, coarser ones are drawn. */
 const MANY = 2000;
 
@@ -28,7 +24,6 @@ export function makeDrawing(drawing: Drawing): Group {
   group.userData["address"] = drawing.address;
   const material = makeMaterial(drawing);
   for (const mesh of drawing.meshes) group.add(makeMesh(mesh, material));
-  for (const line of drawing.lines) group.add(...makeTubes(line, material));
   for (const points of drawing.points) group.add(makeBalls(points.positions, points.radius, material));
   return group;
 }
@@ -88,33 +83,4 @@ function makeBalls(positions: Float32Array, radius: number, material: MeshStanda
   }
   balls.computeBoundingSphere();
   return balls;
-}
-
-/** Rods between the points of each polyline, and balls that round the joints. */
-function makeTubes(line: Drawing["lines"][number], material: MeshStandardMaterial): Object3D[] {
-  const { positions, starts, radius } = line;
-  const points = positions.length / 3;
-  const rods = new InstancedMesh(ROD, material, Math.max(0, points - (starts.length - 1)));
-  const from = new Vector3();
-  const to = new Vector3();
-  let rod = 0;
-  for (let part = 0; part + 1 < starts.length; part++) {
-    for (let i = starts[part]!; i + 1 < starts[part + 1]!; i++) {
-      from.fromArray(positions, 3 * i);
-      to.fromArray(positions, 3 * i + 3);
-      rods.setMatrixAt(rod++, rodMatrix(from, to, radius));
-    }
-  }
-  rods.computeBoundingSphere();
-  return [rods, makeBalls(positions, radius, material)];
-}
-
-const UP = new Vector3(0, 1, 0);
-
-function rodMatrix(from: Vector3, to: Vector3, radius: number): Matrix4 {
-  const axis = to.clone().sub(from);
-  const length = axis.length();
-  const turn = new Quaternion().setFromUnitVectors(UP, length > 0 ? axis.divideScalar(length) : UP);
-  const middle = from.clone().add(to).multiplyScalar(0.5);
-  return new Matrix4().compose(middle, turn, new Vector3(radius, length, radius));
 }

@@ -7,6 +7,7 @@ import {
   LineSegments,
   Points,
   PointsMaterial,
+  type PointsMaterialParameters,
   Vector3,
 } from "three";
 import type { Address, Pole, Poles } from "../engine/protocol";
@@ -23,6 +24,11 @@ export interface Handle {
 /** With more poles than this, only those of the selected cell get handles. */
 export const MANY_POLES = 80;
 
+/** Diameters of the dots, in pixels: of the selected cell, of the others, and what the rim adds. */
+const OWN = 13;
+const OTHER = 8;
+const RIM = 4;
+
 /** The cells whose poles are shown: all literal ones that are few enough, else the selected one. */
 export function handledCells(poles: Iterable<Poles>, selected: Address): Poles[] {
   const all = [...poles];
@@ -37,6 +43,7 @@ export class Handles {
   private readonly texture = new CanvasTexture(disc());
   private ink = "#22252a";
   private accent = "#1f6f78";
+  private paper = "#ffffff";
 
   constructor(private readonly store: Store) {}
 
@@ -44,8 +51,9 @@ export class Handles {
     return this.handles;
   }
 
-  setColors(ink: string, accent: string): void {
+  setColors(ink: string, accent: string, paper: string): void {
     this.ink = ink;
+    this.paper = paper;
     this.accent = accent;
     this.rebuild();
   }
@@ -60,7 +68,7 @@ export class Handles {
         pole.position ? [{ address: net.address, pole, at: toScreenSpace(pole.position) }] : [],
       );
       this.handles.push(...handles);
-      this.addDots(handles.map((handle) => handle.at), own ? this.accent : this.ink, own ? 13 : 10);
+      this.addDots(handles.map((handle) => handle.at), own);
       if (own) this.addNet(net);
     }
     const first = (handle: Handle): number => (handle.address === selected ? 0 : 1);
@@ -78,24 +86,29 @@ export class Handles {
   }
 
   /** Full where the dot is seen, faint where a form hides it. */
-  private addDots(places: Vector3[], color: string, size: number): void {
-    const scale = Math.min(window.devicePixelRatio, 2);
-    for (const hidden of [true, false]) {
-      const material = new PointsMaterial({
-        color,
-        size: size * scale,
-        sizeAttenuation: false,
-        map: this.texture,
-        alphaTest: 0.05,
-        transparent: true,
-        opacity: hidden ? 0.3 : 1,
-        depthTest: !hidden,
-        depthWrite: false,
-      });
-      const dots = new Points(new BufferGeometry().setFromPoints(places), material);
-      dots.renderOrder = hidden ? 10 : 11;
-      this.group.add(dots);
-    }
+  private addDots(places: Vector3[], own: boolean): void {
+    const color = own ? this.accent : this.ink;
+    const size = own ? OWN : OTHER;
+    const order = own ? 13 : 10;
+    this.addLayer(places, { color, size, opacity: own ? 0.3 : 0.18, depthTest: false }, order);
+    if (own) this.addLayer(places, { color: this.paper, size: size + RIM, opacity: 1, depthTest: true }, order + 1);
+    this.addLayer(places, { color, size, opacity: own ? 1 : 0.75, depthTest: true }, order + 2);
+  }
+
+  private addLayer(places: Vector3[], look: PointsMaterialParameters & { size: number }, order: number): void {
+    const material = new PointsMaterial({
+      ...look,
+      size: look.size * Math.min(window.devicePixelRatio, 2),
+      sizeAttenuation: false,
+      map: this.texture,
+      alphaTest: 0.05,
+      transparent: true,
+      depthWrite: false,
+    });
+    material.onBeforeCompile = comeForward;
+    const dots = new Points(new BufferGeometry().setFromPoints(places), material);
+    dots.renderOrder = order;
+    this.group.add(dots);
   }
 
   private addNet(net: Poles): void {
@@ -112,7 +125,17 @@ export class Handles {
   }
 }
 
-/** A white ring around a disc that takes the colour of the material. */
+/** Brings dots a little nearer to the viewer, so that a ball drawn at the pole itself does not hide them. */
+function comeForward(shader: { vertexShader: string }): void {
+  shader.vertexShader = shader.vertexShader.replace(
+    "#include <project_vertex>",
+    `#include <project_vertex>
+     mvPosition.xyz *= isPerspectiveMatrix(projectionMatrix) ? vec3(0.96) : vec3(1.0, 1.0, 0.96);
+     gl_Position = projectionMatrix * mvPosition;`,
+  );
+}
+
+/** A disc that takes the colour of the material. */
 function disc(): HTMLCanvasElement {
   const canvas = document.createElement("canvas");
   canvas.width = canvas.height = 64;

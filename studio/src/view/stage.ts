@@ -12,7 +12,7 @@ import {
 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import type { Drawing } from "../engine/protocol";
-import { makeAxes } from "./axes";
+import { Axes } from "./axes";
 import { Cameras } from "./cameras";
 import { dispose, makeDrawing } from "./drawings";
 
@@ -26,7 +26,7 @@ export class Stage {
   readonly overlay = new Group();
   private readonly renderer: WebGLRenderer;
   private readonly scene = new Scene();
-  private readonly axes = makeAxes();
+  private readonly axes = new Axes();
   private readonly drawings = new Map<string, Group>();
   private readonly lamp = new Group();
   private readonly key = new DirectionalLight("#ffffff", 2.1);
@@ -38,7 +38,7 @@ export class Stage {
     this.renderer.toneMapping = NoToneMapping;
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
     this.world.scale.z = -1;
-    this.world.add(this.axes);
+    this.world.add(this.axes.group);
     this.scene.add(this.world, this.overlay);
     this.addLights();
     this.controls = new OrbitControls(this.cameras.active, canvas);
@@ -62,7 +62,7 @@ export class Stage {
   }
 
   showAxes(on: boolean): void {
-    this.axes.visible = on;
+    this.axes.group.visible = on;
     this.invalidate();
   }
 
@@ -114,7 +114,7 @@ export class Stage {
   private fitAxes(): void {
     const box = this.bounds();
     const far = Math.max(...box.min.toArray().map(Math.abs), ...box.max.toArray().map(Math.abs));
-    this.axes.scale.setScalar(box.isEmpty() || far === 0 ? 1 : far);
+    this.axes.group.scale.setScalar(box.isEmpty() || far === 0 ? 1 : far);
   }
 
   /** The main light comes over the viewer's left shoulder, wherever the viewer goes. */
@@ -136,6 +136,7 @@ export class Stage {
   private render(): void {
     this.pending = false;
     this.lamp.quaternion.copy(this.cameras.active.quaternion);
+    this.axes.size((at) => this.cameras.pixel(at, this.canvas.clientHeight));
     this.renderer.render(this.scene, this.cameras.active);
     this.canvas.dataset["frames"] = String(Number(this.canvas.dataset["frames"] ?? "0") + 1);
   }

@@ -63,7 +63,7 @@ export class View {
   recolor(): void {
     const style = getComputedStyle(this.root);
     this.stage.setGround(style.backgroundColor);
-    this.handles.setColors(style.color, style.accentColor);
+    this.handles.setColors(style.color, style.accentColor, style.backgroundColor);
     this.stage.invalidate();
   }
 
