@@ -12,7 +12,7 @@ async function start(): Promise<void> {
   const kept = localStorage.getItem("pforms.language");
   setLanguage(preferredLanguage(kept ? [kept] : navigator.languages));
   const spawn = (): Port => new Worker(new URL("./engine/worker.ts", import.meta.url), { type: "module" });
-  const studio = new Studio(new EngineClient(spawn));
+  const studio = new Studio(() => new EngineClient(spawn));
   document.getElementById("studio")?.replaceWith(studio.root);
   const sheet = await lastSheet().catch(() => null);
   await studio.begin(sheet?.snapshot ?? null, figure(FIRST)?.text ?? "pfs = 1\n");

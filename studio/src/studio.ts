@@ -14,6 +14,7 @@ import { TopBar } from "./panels/topbar";
 import { Session } from "./session";
 import { Sheet } from "./sheet/sheet";
 import { Store } from "./store";
+import { Thumbnails } from "./view/thumbnails";
 import { View } from "./view/view";
 import { viewless } from "./view/viewless";
 
@@ -28,11 +29,14 @@ export class Studio {
   private readonly sheet: Sheet;
   private readonly view: View | null;
   private readonly gallery: Gallery;
+  private readonly thumbnails: Thumbnails;
   private readonly functions: Functions;
   private readonly shortcuts = new Shortcuts();
   private readonly files: Files;
 
-  constructor(client: EngineClient) {
+  constructor(start: () => EngineClient) {
+    const client = start();
+    this.thumbnails = new Thumbnails(start);
     const status = new StatusBar(
       this.store,
       () => void this.session.stop(),
@@ -53,6 +57,7 @@ export class Studio {
     this.gallery = new Gallery({
       open: (figure) => void this.session.open(figure.text),
       reopen: (sheet) => void this.session.resume(sheet.snapshot, false),
+      picture: (sheet) => this.thumbnails.picture(sheet),
     });
     this.functions = new Functions({
       catalogue: () => this.session.ask("catalogue"),
@@ -103,7 +108,10 @@ export class Studio {
       redo: () => void this.session.change("redo"),
       language: () => void this.switchLanguage(),
       rename: (title) => void this.session.change("setTitle", title),
-      theme: () => this.view?.recolor(),
+      theme: () => {
+        this.view?.recolor();
+        this.thumbnails.clear();
+      },
     });
   }
 

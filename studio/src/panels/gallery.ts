@@ -4,6 +4,7 @@ import { forget, type KeptSheet, keptSheets } from "../keep";
 import { Dialog } from "./dialog";
 import { type Figure, figureOf, groups } from "./figures";
 import { icon } from "./icons";
+import type { Pictured } from "../view/thumbnails";
 
 const FILES = import.meta.glob<string>("../../../cases/sheets/*.pfs", {
   query: "?raw",
@@ -21,6 +22,8 @@ export function figure(name: string): Figure | undefined {
 export interface GalleryEvents {
   open(figure: Figure): void;
   reopen(sheet: KeptSheet): void;
+  /** The address of a small picture of a sheet. */
+  picture(sheet: Pictured): Promise<string | null>;
 }
 
 /** Sheets to start from: the figures of the book, and one's own earlier sheets. */
@@ -28,11 +31,14 @@ export class Gallery {
   private readonly dialog = new Dialog("gallery", "gallery");
   readonly root = this.dialog.root;
 
+  private waiting: { image: HTMLImageElement; sheet: Pictured }[] = [];
+
   constructor(private readonly events: GalleryEvents) {}
 
   async show(): Promise<void> {
     const kept = await keptSheets().catch(() => []);
     const parts: HTMLElement[] = [];
+    this.waiting = [];
     for (const [chapter, figures] of groups(FIGURES)) {
       const heading = chapter === null ? t("groupExamples") : t("groupChapter", { n: String(chapter) });
       parts.push(el("h3", {}, heading), el("ul", { class: "cards" }, ...figures.map((one) => this.card(one))));
@@ -41,12 +47,30 @@ export class Gallery {
       parts.splice(0, 0, el("h3", {}, t("yours")), el("ul", { class: "cards" }, ...kept.map((one) => this.own(one))));
     }
     this.dialog.show(...(parts.length > 0 ? parts : [el("p", {}, t("galleryEmpty"))]));
+    await this.paint();
+  }
+
+  /** Fills in the pictures one after another, while the gallery is open. */
+  private async paint(): Promise<void> {
+    const { waiting } = this;
+    for (const { image, sheet } of waiting) {
+      if (!this.root.open || waiting !== this.waiting) return;
+      const address = await this.events.picture(sheet);
+      if (address) image.src = address;
+    }
+  }
+
+  private image(sheet: Pictured): HTMLImageElement {
+    const image = el("img", { class: "card-picture", alt: "" });
+    this.waiting.push({ image, sheet });
+    return image;
   }
 
   private card(one: Figure): HTMLElement {
     const button = el(
       "button",
       { type: "button", class: "card" },
+      this.image({ method: "open", text: one.text }),
       el("span", { class: "card-title" }, one.titles[language()]),
       el("span", { class: "card-name" }, one.name),
     );
@@ -63,6 +87,7 @@ export class Gallery {
     const button = el(
       "button",
       { type: "button", class: "card" },
+      this.image({ method: "resume", text: sheet.snapshot }),
       el("span", { class: "card-title" }, sheet.title || t("untitled")),
       el("span", { class: "card-name" }, when),
     );

@@ -44,15 +44,6 @@ export function blockOf(a: Place, b: Place): Block {
   };
 }
 
-export function inBlock(block: Block, place: Place): boolean {
-  return (
-    place.column >= block.left &&
-    place.column <= block.right &&
-    place.row >= block.top &&
-    place.row <= block.bottom
-  );
-}
-
 /** Row by row. */
 export function* placesIn(block: Block): Generator<Place> {
   for (let row = block.top; row <= block.bottom; row++) {

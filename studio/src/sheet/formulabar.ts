@@ -29,6 +29,8 @@ export class FormulaBar {
   editing = false;
   private original = "";
   private asked = 0;
+  /** The help that was asked for last, on its way. */
+  private assisting: Promise<void> = Promise.resolve();
 
   constructor(private readonly events: BarEvents) {
     this.editor = new Editor({
@@ -114,7 +116,7 @@ export class FormulaBar {
   private changed(): void {
     if (!this.editing) return;
     this.events.draft(this.editor.text);
-    void this.assist();
+    this.assisting = this.assist();
   }
 
   private async assist(): Promise<void> {
@@ -166,7 +168,8 @@ export class FormulaBar {
         this.completion.move(-1);
         break;
       case "Tab":
-        this.take(this.completion.activeIndex);
+        // What is shown may belong to the text of a moment ago.
+        void this.assisting.then(() => this.take(this.completion.activeIndex));
         break;
       case "Escape":
         this.completion.hide();

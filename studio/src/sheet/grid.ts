@@ -1,7 +1,7 @@
 import { el, fill } from "../dom";
 import { localised, t } from "../i18n";
 import type { Store } from "../store";
-import { addressOf, columnName, inBlock, type Place, placeOf } from "./address";
+import { addressOf, columnName, type Place, placeOf, placesIn } from "./address";
 import { paintCell } from "./cell";
 import { columnWidths } from "./widths";
 
@@ -71,8 +71,12 @@ export class Grid {
   private refresh(touched: ReadonlySet<string> | null): void {
     const { columns, rows } = this.store.extent();
     const grown = columns + 2 > this.columns || rows + SPARE > this.rows;
-    if (grown || !touched) this.resize();
-    for (const address of touched && !grown ? touched : this.cells.keys()) this.paint(address);
+    if (touched && !grown) {
+      for (const address of touched) this.paint(address);
+      return;
+    }
+    this.resize();
+    for (const address of this.store.cells.keys()) this.paint(address);
     this.showSelection();
   }
 
@@ -148,9 +152,10 @@ export class Grid {
       cell.removeAttribute("data-focus");
       if (cell.tabIndex === 0) cell.tabIndex = -1;
     }
-    for (const [address, cell] of this.cells) {
-      const place = placeOf(address);
-      if (place && inBlock(block, place)) cell.setAttribute("aria-selected", "true");
+    const right = Math.min(block.right, this.columns - 1);
+    const bottom = Math.min(block.bottom, this.rows - 1);
+    for (const place of placesIn({ ...block, right, bottom })) {
+      this.cellAt(place)?.setAttribute("aria-selected", "true");
     }
     const cell = this.cellAt(focus);
     if (!cell) return;

@@ -20,8 +20,9 @@ const AXES = [
 /** The half-length of the axes when the scene has unit size. */
 const LENGTH = 1.35;
 
-/** The size of the names, in pixels. */
+/** The size of the names, in pixels; less in a picture lower than `TALL`. */
 const LETTER = 26;
+const TALL = 420;
 
 /** Ox red, Oy green, Oz blue, with their names at the positive ends. The negative halves are faint. */
 export class Axes {
@@ -43,10 +44,11 @@ export class Axes {
   }
 
   /** Keeps the names at their size; `pixel` tells the length of a pixel at a place. */
-  size(pixel: (at: Vector3) => number): void {
+  size(height: number, pixel: (at: Vector3) => number): void {
+    const letter = LETTER * Math.min(1, 0.3 + height / TALL);
     for (const name of this.names) {
       const at = name.getWorldPosition(new Vector3());
-      name.scale.setScalar((LETTER * pixel(at)) / this.group.scale.x);
+      name.scale.setScalar((letter * pixel(at)) / this.group.scale.x);
     }
   }
 }

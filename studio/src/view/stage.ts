@@ -102,6 +102,12 @@ export class Stage {
     return typeof address === "string" ? address : null;
   }
 
+  /** The picture as it is now, as a PNG. */
+  picture(): Promise<Blob | null> {
+    this.render();
+    return new Promise((resolve) => this.canvas.toBlob(resolve));
+  }
+
   /** After the cameras were set by hand. */
   cameraChanged(): void {
     this.controls.object = this.cameras.active;
@@ -136,7 +142,8 @@ export class Stage {
   private render(): void {
     this.pending = false;
     this.lamp.quaternion.copy(this.cameras.active.quaternion);
-    this.axes.size((at) => this.cameras.pixel(at, this.canvas.clientHeight));
+    const height = this.canvas.clientHeight;
+    this.axes.size(height, (at) => this.cameras.pixel(at, height));
     this.renderer.render(this.scene, this.cameras.active);
     this.canvas.dataset["frames"] = String(Number(this.canvas.dataset["frames"] ?? "0") + 1);
   }
