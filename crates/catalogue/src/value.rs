@@ -142,14 +142,13 @@ impl<S: Arithmetic> Value<S> {
         }
     }
 
-    /// What it is, in a word: `number`, `point`, `pS33`, `ipL3`, `list`, …
+    /// What it is, in a word: `number`, `pP`, `pS33`, `ipL3`, `list`, …
     pub fn kind(&self, language: Language) -> String {
         let word = match self {
             Self::Empty => Words { en: "empty", fr: "vide" },
             Self::Number(_) => Words { en: "number", fr: "nombre" },
             Self::Boolean(_) => Words { en: "boolean", fr: "booléen" },
             Self::Text(_) => Words { en: "text", fr: "texte" },
-            Self::Form(form) if form.axes() == 0 => Words { en: "point", fr: "point" },
             Self::Form(form) => return form.kind().to_string(),
             Self::Piecewise(pieces) => return pieces.net().kind().to_string(),
             Self::Immersed(lazy) => return lazy.kind(),

@@ -44,7 +44,7 @@ fn a_direction_translates_pieces_and_lists() {
 fn signs_without_meaning_say_so() {
     assert_eq!(
         shown(Infix::Multiply, "=(1, 2)", "=(1, 2)"),
-        "*: received point * point, expected values that go together"
+        "*: received pP * pP, expected values that go together"
     );
     assert_eq!(
         shown(Infix::Add, "=(1, 2)", "=3"),
