@@ -48,7 +48,7 @@ fn signs_without_meaning_say_so() {
     );
     assert_eq!(
         shown(Infix::Add, "=(1, 2)", "=3"),
-        "+: received point + 3, expected values that go together"
+        "+: received pP + 3, expected values that go together"
     );
     assert!(binary(Infix::Divide, &value("=3"), &value("=(1, 2)")).is_error());
     assert!(binary(Infix::Less, &value("=3"), &value("=\"3\"")).is_error());
