@@ -1,6 +1,8 @@
 //! Numbers in and out: whatever NumPy reads as an array of reals, without needless copies.
 
-use numpy::{PyArray1, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods};
+use numpy::{
+    PyArray1, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArray, PyUntypedArrayMethods,
+};
 use pforms_kernel::{Error, Result, limit};
 use pyo3::exceptions::{PyOverflowError, PyTypeError, PyValueError};
 use pyo3::intern;
@@ -8,7 +10,7 @@ use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
 use pyo3::types::{PyFloat, PyList, PyTuple};
 
-use crate::errors::{ShapeError, done, fail, mistyped};
+use crate::errors::{ShapeError, done, fail, mistyped, raised};
 
 /// NumPy allows no more axes.
 const MOST_AXES: usize = 64;
@@ -28,22 +30,25 @@ impl<'py> Numbers<'py> {
             return Ok(Self::Owned { shape: Vec::new(), values: vec![number.value()] });
         }
         if let Ok(array) = object.cast::<PyArrayDyn<f64>>() {
-            return Self::borrow(array);
+            return Self::borrow(argument, array);
         }
         if object.is_none() {
             return Err(mistyped(argument, object, "numbers"));
         }
-        let array = converted(object).map_err(|error| explained(argument, object, error))?;
-        Self::borrow(array.cast::<PyArrayDyn<f64>>()?)
+        let array = real_array(object).map_err(|error| explained(argument, object, error))?;
+        check_size(argument, array.cast::<PyUntypedArray>()?)?;
+        let array = to_float(&array).map_err(|error| explained(argument, object, error))?;
+        Self::borrow(argument, array.cast::<PyArrayDyn<f64>>()?)
     }
 
-    fn borrow(array: &Bound<'py, PyArrayDyn<f64>>) -> PyResult<Self> {
+    fn borrow(argument: &str, array: &Bound<'py, PyArrayDyn<f64>>) -> PyResult<Self> {
         if array.is_c_contiguous() {
             let view = array.try_readonly()?;
             if view.as_slice().is_ok() {
                 return Ok(Self::Borrowed(view));
             }
         }
+        check_size(argument, array.as_untyped())?;
         let copy = array.call_method0(intern!(array.py(), "copy"))?;
         let copy = copy.cast::<PyArrayDyn<f64>>()?.try_readonly()?;
         Ok(Self::Owned { shape: copy.shape().to_vec(), values: copy.as_slice()?.to_vec() })
@@ -64,18 +69,29 @@ impl<'py> Numbers<'py> {
     }
 }
 
-/// `numpy.asarray(object, float64, "C")`, refusing what is no array of real numbers.
-fn converted<'py>(object: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
-    static ASARRAY: PyOnceLock<Py<PyAny>> = PyOnceLock::new();
+/// `numpy.asarray(object)`, refusing what is no array of real numbers.
+fn real_array<'py>(object: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
     let py = object.py();
-    let asarray = ASARRAY.import(py, "numpy", "asarray")?;
-    let array = asarray.call1((object,))?;
+    let array = asarray(py)?.call1((object,))?;
     let kind: char =
         array.getattr(intern!(py, "dtype"))?.getattr(intern!(py, "kind"))?.extract()?;
-    if !"biufO".contains(kind) {
-        return Err(PyTypeError::new_err("no real numbers"));
-    }
-    asarray.call1((array, intern!(py, "float64"), intern!(py, "C")))
+    if "biufO".contains(kind) { Ok(array) } else { Err(PyTypeError::new_err("no real numbers")) }
+}
+
+/// `numpy.asarray(array, "float64", "C")`.
+fn to_float<'py>(array: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+    let py = array.py();
+    asarray(py)?.call1((array, intern!(py, "float64"), intern!(py, "C")))
+}
+
+fn asarray(py: Python<'_>) -> PyResult<&Bound<'_, PyAny>> {
+    static ASARRAY: PyOnceLock<Py<PyAny>> = PyOnceLock::new();
+    ASARRAY.import(py, "numpy", "asarray")
+}
+
+/// Complains before a copy above the cap: a broadcast array may be larger than any memory.
+fn check_size(argument: &str, array: &Bound<'_, PyUntypedArray>) -> PyResult<()> {
+    limit::check::<f64>(argument, array.shape(), 1).map(|_| ()).map_err(|error| raised(&error))
 }
 
 /// Says what was wrong with an object that NumPy could not convert.
@@ -114,7 +130,7 @@ fn ragged(object: &Bound<'_, PyAny>) -> Option<(usize, Vec<usize>)> {
 
 fn length(object: &Bound<'_, PyAny>) -> Option<usize> {
     let listed = object.is_instance_of::<PyList>() || object.is_instance_of::<PyTuple>();
-    let array = object.cast::<numpy::PyUntypedArray>().is_ok_and(|array| array.ndim() > 0);
+    let array = object.cast::<PyUntypedArray>().is_ok_and(|array| array.ndim() > 0);
     if listed || array { object.len().ok() } else { None }
 }
 
@@ -141,7 +157,7 @@ pub(crate) fn filled<'py>(
     cost: usize,
     fill: impl FnOnce(&mut [f64]) -> Result<()> + Send,
 ) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
-    limit::check::<f64>("the points", shape, width.unwrap_or(1)).or_else(|error| fail(&error))?;
+    limit::check::<f64>("the points", shape, width.unwrap_or(1)).map_err(|error| raised(&error))?;
     let shape: Vec<usize> = shape.iter().copied().chain(width).collect();
     check_axes(&shape)?;
     let array = match out {

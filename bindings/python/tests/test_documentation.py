@@ -1,0 +1,64 @@
+"""Every public name says what it does, with an example that runs."""
+
+import doctest
+import importlib
+import inspect
+
+import pytest
+
+import pforms as pf
+
+MODULES = ["pforms", "pforms.errors", "pforms.records"]
+CLASSES = [pf.Form, pf.Piecewise, pf.Immersed]
+# What a sentence of another docstring explains.
+WITHOUT_EXAMPLE = {"Piecewise.__call__", "Immersed.__call__"}
+
+
+def documented():
+    for name in pf.__all__:
+        thing = getattr(pf, name)
+        if callable(thing) and not (inspect.isclass(thing) and issubclass(thing, Exception)):
+            yield name, thing.__doc__
+    for cls in CLASSES:
+        for name, member in vars(cls).items():
+            if name.startswith("_") or isinstance(member, type):
+                continue
+            yield f"{cls.__name__}.{name}", member.__doc__
+
+
+DOCUMENTED = dict(documented())
+
+
+@pytest.mark.parametrize("name", DOCUMENTED)
+def test_every_example_runs(name):
+    text = DOCUMENTED[name]
+    assert text, f"{name} says nothing"
+    examples = doctest.DocTestParser().get_doctest(text, {"pf": pf}, name, None, None)
+    assert examples.examples or name in WITHOUT_EXAMPLE, f"{name} shows nothing"
+    said = []
+    doctest.DocTestRunner(verbose=False).run(examples, out=said.append)
+    assert not said, "".join(said)
+
+
+@pytest.mark.parametrize("module", MODULES)
+def test_every_example_of_a_module_runs(module):
+    assert doctest.testmod(importlib.import_module(module), extraglobs={"pf": pf}).failed == 0
+
+
+def test_calls_are_documented():
+    for cls in CLASSES:
+        assert len(cls.__call__.__doc__) > 20
+
+
+@pytest.mark.parametrize(
+    ("name", "signature"),
+    [
+        ("interpolate", "(net, nodes='uniform', homogeneous=False)"),
+        ("immerse", "(inner, host, lazy=False)"),
+        ("stretch", "(self, /, a, b)"),
+        ("diagonal", "(self, /, axes=None)"),
+        ("evaluate", "(self, /, *parameters, derivative=None, out=None)"),
+    ],
+)
+def test_signatures_can_be_read(name, signature):
+    assert str(inspect.signature(getattr(pf, name))) == signature
