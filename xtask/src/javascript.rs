@@ -14,6 +14,8 @@ pub(crate) fn generate(input: &Path, outdir: &Path) -> Result<()> {
         .typescript(true)
         .web(true)?
         .omit_default_module_path(false)
+        .remove_name_section(true)
+        .remove_producers_section(true)
         .generate(outdir)
         .with_context(|| format!("no bindings for {}", input.display()))
 }
