@@ -70,7 +70,13 @@ pub(crate) fn assist<'a>(
     names: impl Iterator<Item = (&'a str, String)>,
 ) -> Assistance {
     if text.len() > EXAMINED {
-        return Assistance { proposals: vec![], from: caret, to: caret, call: None, diagnostics: vec![] };
+        return Assistance {
+            proposals: vec![],
+            from: caret,
+            to: caret,
+            call: None,
+            diagnostics: vec![],
+        };
     }
     let caret = byte_from_utf16(text, caret);
     let context = at(text, caret, locale(language));
@@ -130,7 +136,8 @@ fn keywords(context: &Context, prefix: &str, language: Language) -> Vec<Proposal
 
 fn explain(call: &CallContext, language: Language) -> Option<Call> {
     let operator = find(&call.name)?;
-    let by_name = |keyword: &String| operator.parameters.iter().position(|one| one.name.matches(keyword));
+    let by_name =
+        |keyword: &String| operator.parameters.iter().position(|one| one.name.matches(keyword));
     let argument = call.keyword.as_ref().and_then(by_name).unwrap_or(call.argument);
     Some(Call { operator: OperatorHelp::of(operator, language), argument })
 }
@@ -143,7 +150,9 @@ fn diagnose(text: &str, caret: usize, language: Language) -> Vec<Diagnostic> {
         Content::Empty | Content::Text(_) => return Vec::new(),
     };
     let typed = text[..caret].trim_end().len();
-    let open = |(_, fault): &(Span, &Fault)| matches!(fault.problem, Problem::Unclosed(_) | Problem::UnclosedText);
+    let open = |(_, fault): &(Span, &Fault)| {
+        matches!(fault.problem, Problem::Unclosed(_) | Problem::UnclosedText)
+    };
     let broken = tree.errors().filter(|error| !open(error) && error.0.end < typed);
     let mut found: Vec<Diagnostic> = broken.map(|error| mistake(error, text, language)).collect();
     let end = Units::of(text, Span::new(0, typed)).to;
@@ -228,6 +237,9 @@ mod tests {
 
     #[test]
     fn a_monstrous_text_is_left_in_peace() {
-        assert_eq!(help(&format!("={}", "(".repeat(100_000)), Language::English).diagnostics, vec![]);
+        assert_eq!(
+            help(&format!("={}", "(".repeat(100_000)), Language::English).diagnostics,
+            vec![]
+        );
     }
 }

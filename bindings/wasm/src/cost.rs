@@ -58,7 +58,8 @@ mod tests {
 
     #[test]
     fn magnitudes_are_easy_to_read() {
-        let cost = pforms_sheet::Cost { seconds: Some(0.001_26), orders: Some(vec![3, 12]), bytes: 1234 };
+        let cost =
+            pforms_sheet::Cost { seconds: Some(0.001_26), orders: Some(vec![3, 12]), bytes: 1234 };
         let english = Cost::of(&cost, Language::English);
         assert_eq!((english.time.as_str(), english.orders.as_str()), ("1.3 ms", "3 × 12"));
         assert_eq!(english.bytes, "1.2 kB");

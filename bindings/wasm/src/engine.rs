@@ -96,8 +96,10 @@ impl Engine {
     /// Puts copied cells at a place; their references follow.
     pub fn paste(&mut self, clip: &Clip, to: &str) -> Answer {
         let to = address(to, self.language)?;
-        let filed = |(at, text): &(String, String)| (at.clone(), assist::filed(text, self.language));
-        let clip = Clip { range: clip.range.clone(), cells: clip.cells.iter().map(filed).collect() };
+        let filed =
+            |(at, text): &(String, String)| (at.clone(), assist::filed(text, self.language));
+        let clip =
+            Clip { range: clip.range.clone(), cells: clip.cells.iter().map(filed).collect() };
         self.sheet.paste(&clip, to).map_err(|error| self.refusal(error))?;
         Ok(self.answer())
     }
@@ -115,7 +117,10 @@ impl Engine {
     /// Draws a cell in a style, or no longer.
     pub fn set_style(&mut self, place: &str, style: Option<Settings>) -> Answer {
         let at = address(place, self.language)?;
-        let style = style.map(|style| style::tidy(&style)).transpose().map_err(|error| self.refusal(error))?;
+        let style = style
+            .map(|style| style::tidy(&style))
+            .transpose()
+            .map_err(|error| self.refusal(error))?;
         self.sheet.set_show(at, style).map_err(|error| self.refusal(error))?;
         Ok(self.answer())
     }
@@ -192,7 +197,8 @@ impl Engine {
             self.sheet.begin_gesture();
         }
         let moved = self.sheet.move_pole(at, index, &coordinates);
-        if gesture == Gesture::End {
+        // A gesture that could not begin leaves nothing open.
+        if gesture == Gesture::End || (gesture == Gesture::Begin && moved.is_err()) {
             self.sheet.end_gesture();
         }
         moved.map_err(|error| self.refusal(error))?;
@@ -211,7 +217,12 @@ impl Engine {
     /// Completion, help and mistakes for a text at a caret, in UTF-16 units.
     pub fn assist(&self, text: &str, caret: usize) -> Assistance {
         let names = self.sheet.document().names();
-        assist::assist(text, caret, self.language, names.map(|(name, target)| (name, target.to_string())))
+        assist::assist(
+            text,
+            caret,
+            self.language,
+            names.map(|(name, target)| (name, target.to_string())),
+        )
     }
 
     /// Every operator in the language of the page.
@@ -246,7 +257,9 @@ impl Engine {
         };
         let old = point.iter().map(|x| if *weight == 0.0 { *x } else { x / weight });
         old.enumerate()
-            .map(|(axis, old)| to.get(axis).map_or(old, |new| poles::rounded(*new, Some(old), step)))
+            .map(|(axis, old)| {
+                to.get(axis).map_or(old, |new| poles::rounded(*new, Some(old), step))
+            })
             .collect()
     }
 

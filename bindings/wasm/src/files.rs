@@ -24,7 +24,8 @@ impl Engine {
     pub fn import(&mut self, name: &str, bytes: &[u8]) -> Answer {
         let forms = pforms_formats::read(name, bytes).map_err(|error| self.refusal(error))?;
         if forms.is_empty() {
-            let (en, fr) = (format!("{name} holds no form"), format!("{name} ne contient aucune forme"));
+            let (en, fr) =
+                (format!("{name} holds no form"), format!("{name} ne contient aucune forme"));
             return Err(Problem::new(self.language, en, fr));
         }
         let sheet = sheet_of(name, &forms).map_err(|error| self.refusal(error))?;
@@ -66,7 +67,8 @@ fn exported(format: Format, stem: &str, scene: &Scene) -> Result<Vec<Exported>> 
 /// A sheet with each form in column A, and what draws them all in B1.
 fn sheet_of(name: &str, forms: &[Named]) -> Result<Sheet> {
     let mut document: Sheet = Sheet::new();
-    let cells: Vec<Address> = (1..).map_while(|row| Address::new(1, row)).take(forms.len()).collect();
+    let cells: Vec<Address> =
+        (1..).map_while(|row| Address::new(1, row)).take(forms.len()).collect();
     for (at, named) in cells.iter().zip(forms) {
         document.set(*at, &literal(&named.form));
     }
@@ -82,7 +84,8 @@ fn sheet_of(name: &str, forms: &[Named]) -> Result<Sheet> {
 }
 
 fn usual(form: &Form) -> Settings {
-    let style = Style { draw: Mode::suiting(form).iter().take(1).copied().collect(), ..Style::default() };
+    let style =
+        Style { draw: Mode::suiting(form).iter().take(1).copied().collect(), ..Style::default() };
     let mode = serde_json::to_value(&style.draw).unwrap_or_default();
     std::iter::once(("draw".to_owned(), mode)).collect()
 }
@@ -114,7 +117,12 @@ mod tests {
 
     #[test]
     fn a_form_is_written_as_it_is_typed() {
-        let form = Form::from_points(&[2, 2], 2, &[0., 0., 1., 0., 0., 1., 1., 1.5], Some(&[1., 1., 0.5, 1.]));
+        let form = Form::from_points(
+            &[2, 2],
+            2,
+            &[0., 0., 1., 0., 0., 1., 1., 1.5],
+            Some(&[1., 1., 0.5, 1.]),
+        );
         assert_eq!(literal(&form.unwrap()), "[[(0, 0), (1, 0)], [(0, 1; 0.5), (1, 1.5)]]");
         let point = Form::from_homogeneous(&[], 1, vec![2.0, 1.0]).unwrap();
         assert_eq!(literal(&point), "(2,)");
@@ -131,7 +139,10 @@ mod tests {
         let glb = engine.export("glb", "two").unwrap();
         assert_eq!(&glb[0].bytes[..4], b"glTF");
         let obj = engine.export("obj", "two").unwrap();
-        assert_eq!(obj.iter().map(|file| file.name.as_str()).collect::<Vec<_>>(), ["two.obj", "two.mtl"]);
+        assert_eq!(
+            obj.iter().map(|file| file.name.as_str()).collect::<Vec<_>>(),
+            ["two.obj", "two.mtl"]
+        );
         assert!(engine.export("exe", "two").is_err());
     }
 

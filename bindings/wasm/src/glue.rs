@@ -1,5 +1,7 @@
 //! The calls as JavaScript sees them: texts and numbers in, plain objects and typed arrays out.
 
+#![expect(clippy::needless_pass_by_value, reason = "JavaScript hands its values over")]
+
 use js_sys::{Array, Float32Array, JSON, Object, Reflect, Uint8Array, Uint32Array};
 use pforms_catalogue::Language;
 use pforms_scene::Buffers;
@@ -144,7 +146,12 @@ impl Engine {
 
     /// See [`Core::type_pole`].
     #[wasm_bindgen(js_name = typePole)]
-    pub fn type_pole(&mut self, address: &str, index: Vec<u32>, texts: Vec<String>) -> Result<JsValue, JsValue> {
+    pub fn type_pole(
+        &mut self,
+        address: &str,
+        index: Vec<u32>,
+        texts: Vec<String>,
+    ) -> Result<JsValue, JsValue> {
         updated(self.0.type_pole(address, &indices(&index), &texts))
     }
 
@@ -222,7 +229,11 @@ fn drawn(drawing: &Drawing) -> Result<JsValue, JsValue> {
         }
     }
     put(&object, "address", &drawing.address.as_str().into())?;
-    put(&object, "color", &drawing.color.iter().map(|channel| JsValue::from(*channel)).collect::<Array>())?;
+    put(
+        &object,
+        "color",
+        &drawing.color.iter().map(|channel| JsValue::from(*channel)).collect::<Array>(),
+    )?;
     put(&object, "opacity", &drawing.opacity.into())?;
     put(&object, "meshes", &meshes)?;
     put(&object, "points", &points)?;
@@ -246,9 +257,8 @@ fn plain<T: Serialize>(value: &T) -> Result<JsValue, JsValue> {
 /// What JavaScript handed in.
 fn given<T: DeserializeOwned>(value: &JsValue) -> Result<T, JsValue> {
     let text = JSON::stringify(value)?.as_string().unwrap_or_else(|| "null".to_owned());
-    serde_json::from_str(&text).map_err(|error| {
-        thrown(Problem { message: error.to_string(), hint: None, fatal: false })
-    })
+    serde_json::from_str(&text)
+        .map_err(|error| thrown(Problem { message: error.to_string(), hint: None, fatal: false }))
 }
 
 fn thrown(problem: Problem) -> JsValue {

@@ -142,6 +142,10 @@ mod tests {
         let diag = OperatorHelp::of(pforms_catalogue::find("DIAG").unwrap(), Language::English);
         assert!(!diag.parameters[0].optional);
         assert!(diag.parameters[1].optional);
-        assert!(diag.parameters[1].detail.ends_with("if left out"), "{}", diag.parameters[1].detail);
+        assert!(
+            diag.parameters[1].detail.ends_with("if left out"),
+            "{}",
+            diag.parameters[1].detail
+        );
     }
 }

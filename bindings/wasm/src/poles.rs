@@ -111,7 +111,8 @@ pub(crate) fn retyped(
     let spans = point_spans(&tree);
     let (_, span) = spans.iter().find(|(path, _)| path == index).ok_or_else(missing)?;
     let (weight, coordinates) = texts.split_last().ok_or_else(missing)?;
-    let coordinates = coordinates.iter().map(|text| number(text, language)).collect::<Result<Vec<_>, _>>()?;
+    let coordinates =
+        coordinates.iter().map(|text| number(text, language)).collect::<Result<Vec<_>, _>>()?;
     let weight = number(weight, language)?;
     let weight = if weight == "1" { String::new() } else { format!("; {weight}") };
     let comma = if coordinates.len() == 1 && weight.is_empty() { "," } else { "" };

@@ -45,7 +45,10 @@ pub(crate) fn tidy(settings: &Settings) -> Result<Settings> {
     let style = Style::from_settings(settings)?;
     let usual = table(&Style::default());
     let kept = |key: &str| key == "draw" || key == "color";
-    Ok(table(&style).into_iter().filter(|(key, item)| kept(key) || usual.get(key) != Some(item)).collect())
+    Ok(table(&style)
+        .into_iter()
+        .filter(|(key, item)| kept(key) || usual.get(key) != Some(item))
+        .collect())
 }
 
 fn table(style: &Style) -> Settings {

@@ -100,7 +100,12 @@ impl Update {
 
 impl Told {
     /// Collects what changed: `changed` was computed again, the rest is found by comparing.
-    pub(crate) fn update(&mut self, sheet: &Sheet, changed: &[Address], language: Language) -> Update {
+    pub(crate) fn update(
+        &mut self,
+        sheet: &Sheet,
+        changed: &[Address],
+        language: Language,
+    ) -> Update {
         let restyled = self.restyled(sheet);
         let mut touched: BTreeSet<Address> = changed.iter().chain(&restyled).copied().collect();
         touched.extend(sheet.pending());
@@ -124,7 +129,12 @@ impl Told {
         update
     }
 
-    fn collect(&mut self, sheet: &Sheet, touched: &BTreeSet<Address>, language: Language) -> Update {
+    fn collect(
+        &mut self,
+        sheet: &Sheet,
+        touched: &BTreeSet<Address>,
+        language: Language,
+    ) -> Update {
         let (kept, removed): (Vec<Address>, Vec<Address>) =
             touched.iter().partition(|at| !sheet.document().text(**at).is_empty());
         let notes_changed = self.notes != sheet.document().notes();

@@ -19,6 +19,20 @@ const KEYS: [string[], Phrase][] = [
   [["Shift"], "keyDrag"],
 ];
 
+/** Keys that are called differently from one language to the other. */
+const NAMES: Record<string, Phrase> = {
+  Enter: "nameEnter",
+  "Ctrl Enter": "nameCtrlEnter",
+  Esc: "nameEscape",
+  Del: "nameDelete",
+  Shift: "nameShift",
+};
+
+function nameOf(key: string): string {
+  const phrase = NAMES[key];
+  return phrase ? t(phrase) : key;
+}
+
 /** What the keys do. */
 export class Shortcuts {
   private readonly dialog = new Dialog("shortcuts", "shortcuts");
@@ -26,7 +40,7 @@ export class Shortcuts {
 
   show(): void {
     const rows = KEYS.map(([keys, phrase]) =>
-      el("tr", {}, el("th", { scope: "row" }, ...keys.map((key) => el("kbd", {}, key))), el("td", {}, t(phrase))),
+      el("tr", {}, el("th", { scope: "row" }, ...keys.map((key) => el("kbd", {}, nameOf(key)))), el("td", {}, t(phrase))),
     );
     this.dialog.show(el("table", {}, el("tbody", {}, ...rows)));
   }

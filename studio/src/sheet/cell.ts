@@ -28,7 +28,10 @@ export function paintCell(cell: HTMLTableCellElement, info: CellInfo | undefined
     cell.classList.add("pending");
     cell.title = t("pending");
   }
-  if (info.cost) cell.append(el("span", { class: "cell-cost" }, `${info.cost.time} · ${info.cost.bytes}`));
+  if (info.cost) {
+    const { time, bytes } = info.cost;
+    cell.append(el("span", { class: "cell-cost" }, [time, bytes].filter(Boolean).join(" · ")));
+  }
 }
 
 function paintPlain(cell: HTMLTableCellElement, info: CellInfo): void {

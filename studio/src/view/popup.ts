@@ -54,7 +54,7 @@ export class PolePopup {
   }
 
   private closer(): HTMLElement {
-    const button = el("button", { type: "button", class: "quiet" }, t("cancel"));
+    const button = el("button", { type: "button", class: "quiet" }, t("abandon"));
     button.addEventListener("click", () => this.close());
     return button;
   }
