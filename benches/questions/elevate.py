@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import numpy as np
-import pforms as pf
 
 import bernstein
+import pforms as pf
 from contest import Array, Question
 
 ORDER, BY = 13, 4

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import numpy as np
-import pforms as pf
 from scipy.interpolate import BPoly
 
 import bernstein
+import pforms as pf
 from contest import Array, Question
 
 SIDE = 400
@@ -17,12 +17,12 @@ def question() -> Question:
     poles = bernstein.surface(np.random.default_rng(1), 4, 4)
     form = pf.Form.from_homogeneous(poles)
     at = np.linspace(0.0, 1.0, SIDE)
-    basis = bernstein.values(4, at)
 
     def ours() -> Array:
         return form.grid(at, at)
 
     def numpy() -> Array:
+        basis = bernstein.values(4, at)
         points = np.einsum("ui,vj,ijc->uvc", basis, basis, poles, optimize=True)
         return points[..., :3] / points[..., 3:]
 

@@ -7,9 +7,9 @@ exact product of forms.
 from __future__ import annotations
 
 import numpy as np
-import pforms as pf
 
 import bernstein
+import pforms as pf
 from contest import Array, Question
 
 
@@ -21,13 +21,13 @@ def question() -> Question:
     inner_form = pf.Form(inner)
     host_form = pf.Form.from_homogeneous(host)
     nodes = bernstein.chebyshev(7)
-    basis = bernstein.values(2, nodes)
-    solve = np.linalg.inv(bernstein.values(7, nodes))
 
     def ours() -> Array:
         return pf.immerse(inner_form, host_form).homogeneous
 
     def numpy() -> Array:
+        basis = bernstein.values(2, nodes)
+        solve = np.linalg.inv(bernstein.values(7, nodes))
         places = np.einsum("ai,bj,ck,ijkx->xabc", basis, basis, basis, inner, optimize=True)
         x, y, z = (bernstein.values(3, place) for place in places)
         samples = np.einsum("abci,abcj,abck,ijkx->abcx", x, y, z, host, optimize=True)

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import numpy as np
-import pforms as pf
 from scipy.interpolate import make_interp_spline
 
 import bernstein
+import pforms as pf
 from contest import Array, Question
 
 ORDER = 8
@@ -16,12 +16,12 @@ def question() -> Question:
     """Points half-way between the nodes, of the surface through the net."""
     net = np.random.default_rng(5).uniform(-1.0, 1.0, (ORDER, ORDER, 3))
     nodes = np.linspace(0.0, 1.0, ORDER)
-    basis = bernstein.values(ORDER, nodes)
 
     def ours() -> Array:
         return pf.interpolate(net).poles
 
     def numpy() -> Array:
+        basis = bernstein.values(ORDER, nodes)
         along_u = np.linalg.solve(basis, net.reshape(ORDER, -1)).reshape(net.shape)
         across = np.swapaxes(along_u, 0, 1)
         poles = np.linalg.solve(basis, across.reshape(ORDER, -1)).reshape(across.shape)
