@@ -53,9 +53,12 @@ pub(crate) fn interpolate(
     let nodes = nodes.map_or(Ok(Nodes::Uniform), read_nodes)?;
     let orders = net.orders().iter();
     let cost = orders.fold(net.homogeneous().len(), |cost, order| cost.saturating_mul(*order));
-    let solved = done(py, cost, || match homogeneous {
-        true => operators::interpolate_homogeneous(&net, &nodes),
-        false => operators::interpolate(&net, &nodes),
+    let solved = done(py, cost, || {
+        if homogeneous {
+            operators::interpolate_homogeneous(&net, &nodes)
+        } else {
+            operators::interpolate(&net, &nodes)
+        }
     });
     solved.map(PyForm::from)
 }
@@ -65,9 +68,10 @@ fn read_net(net: &Bound<'_, PyAny>, homogeneous: bool) -> PyResult<Form> {
         return Ok(form.get().form.clone());
     }
     let numbers = Numbers::read("net", net)?;
-    let form = match homogeneous {
-        true => from_homogeneous("net", &numbers),
-        false => from_euclidean("net", &numbers, None),
+    let form = if homogeneous {
+        from_homogeneous("net", &numbers)
+    } else {
+        from_euclidean("net", &numbers, None)
     };
     form.map_err(|error| raised(&error))
 }

@@ -148,8 +148,10 @@ impl PyForm {
             }
             Ok(())
         })?;
-        let frame = columns.into_frame(parameters.py())?;
-        if self.form.axes() == 1 { frame.get_item("curvature") } else { Ok(frame) }
+        if self.form.axes() == 1 {
+            return Ok(columns.into_numbers(parameters.py())?.into_any());
+        }
+        columns.into_frame(parameters.py())
     }
 }
 
@@ -194,13 +196,13 @@ impl Question<'_> {
             [list] => self.curve(list, columns),
             [us, vs] => us.iter().zip(vs).try_for_each(|(u, v)| {
                 let frame = operators::surface_frame(self.form, *u, *v)?;
-                self.surface(if self.unit { frame } else { frame.unnormalised() }, columns);
+                surface(&if self.unit { frame } else { frame.unnormalised() }, columns);
                 Ok(())
             }),
             _ => (0..lists[0].len()).try_for_each(|i| {
                 let at: Vec<f64> = lists.iter().map(|list| list[i]).collect();
                 let frame = operators::volume_frame(self.form, &at)?;
-                self.volume(if self.unit { frame } else { frame.unnormalised() }, columns);
+                volume(&if self.unit { frame } else { frame.unnormalised() }, columns);
                 Ok(())
             }),
         }
@@ -221,31 +223,31 @@ impl Question<'_> {
         }
         Ok(())
     }
+}
 
-    fn surface(&self, frame: SurfaceFrame, columns: &mut Columns) {
-        columns.vector("point", &frame.point);
-        columns.vector("tu", &frame.tangents[0]);
-        columns.vector("tv", &frame.tangents[1]);
-        columns.maybe_vector("normal", frame.normal.as_deref());
-        columns.number("area", frame.area);
-        columns.vector("first", &frame.first);
-        columns.maybe_vector("second", frame.second.as_ref().map(<[f64; 3]>::as_slice));
-        if let Some(curvature) = &frame.curvature {
-            bends(curvature, columns);
+fn surface(frame: &SurfaceFrame, columns: &mut Columns) {
+    columns.vector("point", &frame.point);
+    columns.vector("tu", &frame.tangents[0]);
+    columns.vector("tv", &frame.tangents[1]);
+    columns.maybe_vector("normal", frame.normal.as_deref());
+    columns.number("area", frame.area);
+    columns.vector("first", &frame.first);
+    columns.maybe_vector("second", frame.second.as_ref().map(<[f64; 3]>::as_slice));
+    if let Some(curvature) = &frame.curvature {
+        bends(curvature, columns);
+    }
+}
+
+fn volume(frame: &VolumeFrame, columns: &mut Columns) {
+    const NAMES: [&str; 3] = ["tu", "tv", "tw"];
+    columns.vector("point", &frame.point);
+    if frame.tangents.len() == NAMES.len() {
+        for (name, tangent) in NAMES.into_iter().zip(&frame.tangents) {
+            columns.vector(name, tangent);
         }
     }
-
-    fn volume(&self, frame: VolumeFrame, columns: &mut Columns) {
-        const NAMES: [&str; 3] = ["tu", "tv", "tw"];
-        columns.vector("point", &frame.point);
-        if frame.tangents.len() == NAMES.len() {
-            for (name, tangent) in NAMES.into_iter().zip(&frame.tangents) {
-                columns.vector(name, tangent);
-            }
-        }
-        columns.vector("tangents", &frame.tangents.concat());
-        columns.maybe_number("jacobian", frame.jacobian);
-    }
+    columns.vector("tangents", &frame.tangents.concat());
+    columns.maybe_number("jacobian", frame.jacobian);
 }
 
 fn bends(curvature: &SurfaceCurvature, columns: &mut Columns) {

@@ -46,9 +46,12 @@ impl<'py> Parameters<'py> {
 
     /// The value of each parameter, point after point.
     pub(crate) fn scattered(&self) -> Vec<Cow<'_, [f64]>> {
-        let spread = |list| match Numbers::shape(list) == self.shape {
-            true => Cow::Borrowed(list.values()),
-            false => Cow::Owned(spread(list, &self.shape)),
+        let spread = |list| {
+            if Numbers::shape(list) == self.shape {
+                Cow::Borrowed(list.values())
+            } else {
+                Cow::Owned(spread(list, &self.shape))
+            }
         };
         self.lists.iter().map(spread).collect()
     }
@@ -60,7 +63,7 @@ impl<'py> Parameters<'py> {
             let start = self.shape.len() - list.shape().len();
             let mut own = list.shape().iter().enumerate().filter(|(_, count)| **count != 1);
             let first = own.next().map_or(free, |(axis, _)| start + axis);
-            let last = own.last().map_or(first, |(axis, _)| start + axis);
+            let last = own.next_back().map_or(first, |(axis, _)| start + axis);
             let after = first >= free;
             if list.values().len() != 1 {
                 free = last + 1;
