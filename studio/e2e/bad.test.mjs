@@ -104,3 +104,47 @@ test("a damaged file is refused, and the open sheet stays", async () => {
   }
   await studio.close();
 });
+
+test("a long computation is stopped, and goes on with the next change", async () => {
+  const studio = await bench.visit();
+  await studio.cell("C1").click();
+  await studio.page.keyboard.type('=EXPLAIN("DIAG", "pS[20,20]")');
+  await studio.page.keyboard.press("Enter");
+  await studio.settled();
+  await studio.cell("C1").click();
+  await studio.cell("C40").click({ modifiers: ["Shift"] });
+  await studio.page.keyboard.press("Control+d");
+  await studio.page.locator(".busy .stop").click();
+  await studio.settled();
+  const pending = await studio.page.locator("td.pending").count();
+  assert.ok(pending > 0, "it was stopped half-way");
+  await stillWhole(studio);
+  await studio.type("D1", "=1+1");
+  assert.equal(await studio.read("D1"), "2");
+  await studio.page.waitForFunction(() => document.querySelectorAll("td.pending").length === 0);
+  await studio.close();
+});
+
+test("a kernel that dies is replaced, and the sheet is back with its history", async () => {
+  const studio = await bench.visit({}, () => {
+    const Real = globalThis.Worker;
+    globalThis.workers = [];
+    globalThis.Worker = class extends Real {
+      constructor(...given) {
+        super(...given);
+        globalThis.workers.push(this);
+      }
+    };
+  });
+  await studio.type("C1", "42");
+  await studio.type("C2", "=C1/2");
+  await studio.page.evaluate(() => globalThis.workers[0].onerror(new ErrorEvent("error", { message: "unreachable" })));
+  await studio.page.locator(".toast.wrong").waitFor();
+  await studio.settled();
+  assert.equal(await studio.read("C2"), "21");
+  await studio.page.click('[data-action="undo"]');
+  await studio.settled();
+  assert.equal(await studio.read("C2"), "");
+  await stillWhole(studio);
+  await studio.close();
+});

@@ -49,8 +49,11 @@ export class Bench {
     await this.server.close();
   }
 
-  /** A fresh visitor's page, ready for use. `faults` collects what a console would show in red. */
-  async visit(options = {}) {
+  /**
+   * A fresh visitor's page, ready for use. `before` runs in it first; `faults` collects what a console
+   * would show in red.
+   */
+  async visit(options = {}, before = null) {
     const context = await this.browser.newContext({
       viewport: { width: 1360, height: 820 },
       locale: "en-GB",
@@ -59,6 +62,7 @@ export class Bench {
       ...options,
     });
     const page = await context.newPage();
+    if (before) await page.addInitScript(before);
     const faults = [];
     page.on("pageerror", (error) => faults.push(String(error)));
     page.on("console", (message) => message.type() === "error" && faults.push(message.text()));

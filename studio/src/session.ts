@@ -1,7 +1,7 @@
 import { EngineFailure, type EngineClient } from "./engine/client";
 import { LatestWins } from "./engine/latest";
-import type { Address, Answer, Arguments, Camera, Gesture, Method, Style, Update } from "./engine/protocol";
-import { type Phrase, t } from "./i18n";
+import type { Address, Answer, Arguments, Camera, Failure, Gesture, Method, Style, Update } from "./engine/protocol";
+import { language, type Phrase, t } from "./i18n";
 import { keep, renewId } from "./keep";
 import type { Store } from "./store";
 
@@ -38,7 +38,9 @@ export class Session {
     readonly store: Store,
     readonly client: EngineClient,
     private readonly notices: Notices,
-  ) {}
+  ) {
+    client.onLost = (reason) => void this.recover(reason);
+  }
 
   /** Any call that changes the sheet. Answers whether it succeeded. */
   async change<M extends Changing>(method: M, ...args: Arguments<M>): Promise<boolean> {
@@ -71,7 +73,7 @@ export class Session {
     try {
       return await this.client.call(method, ...args);
     } catch (error) {
-      await this.failed(error);
+      this.failed(error);
       return null;
     }
   }
@@ -170,23 +172,19 @@ export class Session {
     }
   }
 
-  private recovering = false;
-
-  private async failed(error: unknown): Promise<void> {
+  private failed(error: unknown): void {
     if (!(error instanceof EngineFailure)) throw error;
     const { message, hint, fatal } = error.failure;
-    if (!fatal) {
-      this.notices.error(t("cannotDo"), message, hint);
-      return;
-    }
-    if (this.recovering) return;
-    this.recovering = true;
-    if (message === t("stopped")) this.notices.info(message);
-    else this.notices.error(t("cannotDo"), t("crashed", { message }), hint);
-    try {
-      this.store.apply(await this.client.call("resume", this.lastGood));
-    } finally {
-      this.recovering = false;
-    }
+    // After a fatal failure the worker is new: `recover` tells what happened.
+    if (!fatal) this.notices.error(t("cannotDo"), message, hint);
+  }
+
+  /** Gives a fresh worker the sheet as it was after the last change that succeeded. */
+  private async recover(reason: Failure): Promise<void> {
+    if (reason.message === t("stopped")) this.notices.info(reason.message);
+    else this.notices.error(t("cannotDo"), t("crashed", { message: reason.message }), reason.hint);
+    await this.ask("setLanguage", language());
+    const update = this.lastGood ? await this.ask("resume", this.lastGood) : null;
+    if (update) this.store.apply(update);
   }
 }

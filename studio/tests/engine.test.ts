@@ -67,6 +67,15 @@ describe("the engine client", () => {
     expect(await next).toBe("works");
   });
 
+  it("tells when the worker was replaced, even while nothing was asked", () => {
+    const { ports, client: engine } = client();
+    const lost = vi.fn();
+    engine.onLost = lost;
+    ports[0]!.onerror!({ message: "boom" } as ErrorEvent);
+    expect(lost).toHaveBeenCalledWith({ message: "boom", hint: null, fatal: true });
+    expect(ports).toHaveLength(2);
+  });
+
   it("tells how many calls are under way", () => {
     const { ports, client: engine } = client();
     const busy = vi.fn();

@@ -28,6 +28,9 @@ export class EngineClient {
   /** Called when calls begin or end, with the number still under way. */
   onBusy: (count: number) => void = () => undefined;
 
+  /** Called after a worker was replaced by a fresh one, which knows no sheet yet. */
+  onLost: (reason: Failure) => void = () => undefined;
+
   constructor(private readonly spawn: () => Port) {
     this.port = this.start();
   }
@@ -49,6 +52,7 @@ export class EngineClient {
     this.port = this.start();
     for (const call of lost) call.reject(new EngineFailure(reason));
     this.onBusy(0);
+    this.onLost(reason);
   }
 
   private start(): Port {
