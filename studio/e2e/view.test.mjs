@@ -41,6 +41,44 @@ test("a pole is dragged, its cell and what depends on it follow, one undo takes 
   await studio.close();
 });
 
+test("Shift keeps a pole on an axis, and the grid makes its coordinates round", async () => {
+  const studio = await bench.visit();
+  await studio.cell("A1").click();
+  const [pole] = (await studio.poles()).slice(-1);
+  const numbers = (source) => source.match(/-?\d+(\.\d+)?/g).map(Number);
+  const before = numbers(await studio.source("A1"));
+  await studio.page.keyboard.down("Shift");
+  await studio.drag(pole, { x: pole.x + 8, y: pole.y + 90 });
+  await studio.page.keyboard.up("Shift");
+  const moved = numbers(await studio.source("A1"));
+  assert.equal(moved.filter((number, at) => number !== before[at]).length, 1, `${moved}`);
+  await studio.page.click('[data-action="undo"]');
+  await studio.settled();
+  await studio.page.locator('.view-tools button[title^="Snap"]').click();
+  await studio.drag(pole, { x: pole.x - 61, y: pole.y + 47 });
+  const snapped = numbers(await studio.source("A1"));
+  const grid = snapped.filter((number, at) => number !== before[at]);
+  assert.ok(grid.length >= 2, `${snapped}`);
+  for (const number of grid) assert.ok(Math.abs(number * 20 - Math.round(number * 20)) < 1e-9, `${number}`);
+  await studio.close();
+});
+
+test("a slider changes the picture while it moves, as one step of the history", async () => {
+  const studio = await bench.visit();
+  await studio.cell("A4").click();
+  const before = await studio.count(GOLD);
+  const slider = studio.page.locator('[data-field="opacity"]');
+  const box = await slider.boundingBox();
+  const y = box.y + box.height / 2;
+  await studio.drag({ x: box.x + box.width * 0.85, y }, { x: box.x + 4, y }, 6);
+  assert.ok((await studio.count(GOLD)) < before / 2);
+  await studio.page.click('[data-action="undo"]');
+  await studio.settled();
+  assert.ok(Math.abs((await studio.count(GOLD)) - before) < before / 50);
+  assert.ok(await studio.page.locator('[data-action="undo"]').isDisabled());
+  await studio.close();
+});
+
 test("coordinates of a pole can be typed", async () => {
   const studio = await bench.visit();
   await studio.cell("A2").click();

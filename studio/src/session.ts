@@ -30,8 +30,10 @@ export class Session {
   private lastGood = "";
   private proceeding: Promise<void> | null = null;
   private halted = false;
+  /** A gesture of several changes is under way. */
   private dragging = false;
   private readonly keeper = new LatestWins<void>(() => this.keepNow());
+  private readonly styler = new LatestWins<{ address: Address; style: Style }>((one) => this.styleNow(one));
   private readonly mover = new LatestWins<Move>((move) => this.moveNow(move, "during"));
 
   constructor(
@@ -113,6 +115,26 @@ export class Session {
     return this.change("setStyle", address, style);
   }
 
+  /** A style that follows a slider: all until `endStyle` is one step of the history. */
+  styleLive(address: Address, style: Style): void {
+    if (!this.dragging) {
+      this.dragging = true;
+      void this.ask("beginGesture");
+    }
+    this.styler.push({ address, style });
+  }
+
+  async endStyle(address: Address, style: Style): Promise<void> {
+    await this.styler.idle();
+    if (!this.dragging) {
+      await this.setStyle(address, style);
+      return;
+    }
+    await this.styleNow({ address, style });
+    this.dragging = false;
+    await this.change("endGesture");
+  }
+
   /** A drag under way: only the newest place is computed. */
   drag(move: Move): void {
     this.mover.push(move);
@@ -151,6 +173,11 @@ export class Session {
   /** Resolves when the sheet is safe. */
   settled(): Promise<void> {
     return this.keeper.idle();
+  }
+
+  private async styleNow({ address, style }: { address: Address; style: Style }): Promise<void> {
+    const update = await this.ask("setStyle", address, style);
+    if (update) this.take(update);
   }
 
   private async moveNow(move: Move, gesture: Gesture): Promise<void> {

@@ -125,6 +125,17 @@ impl Engine {
         Ok(self.answer())
     }
 
+    /// All changes until [`Engine::end_gesture`] are one step of the history.
+    pub fn begin_gesture(&mut self) {
+        self.sheet.begin_gesture();
+    }
+
+    /// Ends a gesture; one that changed nothing leaves no step.
+    pub fn end_gesture(&mut self) -> Update {
+        self.sheet.end_gesture();
+        self.answer()
+    }
+
     /// Gives a cell a name, or another one, in all formulas too; none takes it away.
     pub fn set_name(&mut self, place: &str, name: Option<&str>) -> Answer {
         let at = address(place, self.language)?;
@@ -139,13 +150,11 @@ impl Engine {
         Ok(self.answer())
     }
 
-    /// Gives the sheet a title in the language of the page.
+    /// Gives the sheet a title: in the language of the page, if it has one of its own there.
     pub fn set_title(&mut self, title: &str) -> Answer {
-        let own = format!("title_{}", code(self.language));
-        let language = match self.language {
-            Language::French if self.sheet.save().contains(&own) => "fr",
-            _ => "",
-        };
+        let own = code(self.language);
+        let document = self.sheet.document();
+        let language = if document.title(own) == document.title("") { "" } else { own };
         self.sheet.set_title(language, title).map_err(|error| self.refusal(error))?;
         Ok(self.answer())
     }

@@ -84,6 +84,19 @@ impl Engine {
         updated(self.0.set_style(address, style))
     }
 
+    /// See [`Core::begin_gesture`].
+    #[wasm_bindgen(js_name = beginGesture)]
+    pub fn begin_gesture(&mut self) -> JsValue {
+        self.0.begin_gesture();
+        JsValue::NULL
+    }
+
+    /// See [`Core::end_gesture`].
+    #[wasm_bindgen(js_name = endGesture)]
+    pub fn end_gesture(&mut self) -> Result<JsValue, JsValue> {
+        updated(Ok(self.0.end_gesture()))
+    }
+
     /// See [`Core::set_name`].
     #[wasm_bindgen(js_name = setName)]
     pub fn set_name(&mut self, address: &str, name: Option<String>) -> Result<JsValue, JsValue> {

@@ -208,6 +208,9 @@ export interface Engine {
   /** Copies one cell into a range. */
   fill(from: Address, range: string): Update;
   setStyle(address: Address, style: Style | null): Update;
+  /** All changes until `endGesture` are one step of the history. */
+  beginGesture(): null;
+  endGesture(): Update;
   setName(address: Address, name: string | undefined): Update;
   setTitle(title: string): Update;
   setCamera(camera: Camera): null;

@@ -9,24 +9,29 @@ export function check(field: string, label: string, on: boolean, set: (on: boole
   return el("label", { class: "chip" }, input, el("span", {}, label));
 }
 
-/** A slider with the number beside it, which can also be typed. */
+export interface Bounds {
+  min: number;
+  max: number;
+  step: number;
+}
+
+/** A slider with the number beside it, which can also be typed. `set` is told whether more will come. */
 export function slider(
   phrase: Phrase,
   value: number,
-  min: number,
-  max: number,
-  step: number,
-  set: (value: number) => void,
+  { min, max, step }: Bounds,
+  set: (value: number, moving: boolean) => void,
 ): HTMLElement {
   const limits = { min: String(Math.min(min, value)), max: String(Math.max(max, value)), step: String(step) };
   const range = el("input", { type: "range", ...limits, value: String(value), data: { field: phrase } });
   const number = el("input", { type: "number", step: String(step), min: limits.min, value: String(value) });
   number.setAttribute("aria-label", t(phrase));
-  const take = (input: HTMLInputElement): void => {
-    if (Number.isFinite(input.valueAsNumber)) set(input.valueAsNumber);
+  const take = (input: HTMLInputElement, moving = false): void => {
+    if (Number.isFinite(input.valueAsNumber)) set(input.valueAsNumber, moving);
   };
   range.addEventListener("input", () => {
     number.value = range.value;
+    take(range, true);
   });
   range.addEventListener("change", () => take(range));
   number.addEventListener("change", () => take(number));

@@ -1,14 +1,26 @@
 import { el, fill } from "../dom";
-import type { CellInfo, DrawMode, Style } from "../engine/protocol";
+import type { CellInfo, DrawMode, Note, Style } from "../engine/protocol";
 import { localised, type Phrase, t } from "../i18n";
 import type { Session } from "../session";
 import { check, colorField, nameField, slider } from "./fields";
 import { defaultStyle } from "./styles";
 
+const KNOBS = {
+  opacity: { min: 0.05, max: 1, step: 0.05 },
+  fineness: { min: 0, max: 8, step: 1 },
+  radius: { min: 0.002, max: 0.08, step: 0.001 },
+  count: { min: 2, max: 24, step: 1 },
+  axis: { min: 0, max: 2, step: 1 },
+  length: { min: 0.02, max: 1, step: 0.02 },
+} as const;
+
+type Knob = keyof typeof KNOBS;
+
 /** What can be seen and set of the selected cell: notes, value, style, cost. */
 export class Inspector {
   readonly root = el("section", { class: "inspector" });
   private shown = "";
+  private turning = false;
 
   constructor(private readonly session: Session) {
     const { store } = session;
@@ -23,9 +35,10 @@ export class Inspector {
 
   /** Writes the panel anew, unless nothing it shows has changed: a field in use must not lose the focus. */
   private show(): void {
+    if (this.turning) return;
     const { store } = this.session;
     const cell = store.selected;
-    const note = store.notes.find((one) => one.cell === store.address)?.text ?? "";
+    const note = noteOn(store.notes, store.address);
     const state = JSON.stringify([store.address, cell ?? null, note, store.undrawn.get(store.address) ?? null]);
     if (state === this.shown) return;
     const focused = (document.activeElement as HTMLElement | null)?.dataset["field"];
@@ -46,7 +59,7 @@ export class Inspector {
       {},
       el("h2", {}, address),
       cell ? el("span", { class: cell.error ? "kind wrong" : "kind" }, cell.kind) : el("span", { class: "muted" }, t("emptyCell")),
-      cell && !cell.error ? el("span", { class: "value", title: cell.text }, cell.text) : el("span", { class: "value" }),
+      cell && !cell.error ? el("span", { class: "value", title: cell.text }, withoutKind(cell)) : el("span", { class: "value" }),
       cell ? nameField(cell.name ?? "", (name) => void this.session.change("setName", address, name || undefined)) : null,
       cell?.cost ? costs(cell) : null,
     );
@@ -81,26 +94,44 @@ export class Inspector {
     const set = (part: Partial<Style>): void => this.send(cell, { ...style, ...part });
     const has = (...modes: DrawMode[]): boolean => modes.some((mode) => style.draw.includes(mode));
     const fineness = Array.isArray(style.fineness) ? Math.max(...style.fineness) : style.fineness;
-    const filled = has("surface", "envelope", "sheets");
+    const knob = (key: Knob, value: number): HTMLElement =>
+      slider(key, value, KNOBS[key], (next, moving) => this.turn(cell, { ...style, [key]: next }, moving));
     return el(
       "div",
       { class: "details" },
       colorField(style.color, (color) => set({ color })),
-      slider("opacity", style.opacity, 0.05, 1, 0.05, (opacity) => set({ opacity })),
-      slider("fineness", fineness, 0, 8, 1, (value) => set({ fineness: value })),
-      has("points", "curve", "fibres", "net", "poles", "normals")
-        ? slider("radius", style.radius, 0.002, 0.08, 0.001, (radius) => set({ radius }))
-        : null,
-      has("sheets", "fibres") ? slider("count", style.count, 2, 24, 1, (count) => set({ count })) : null,
-      has("sheets", "fibres") ? slider("axis", style.axis, 0, 2, 1, (axis) => set({ axis })) : null,
-      has("normals") ? slider("length", style.length, 0.02, 1, 0.02, (length) => set({ length })) : null,
-      filled ? shading(style.shading, (value) => set({ shading: value })) : null,
+      knob("opacity", style.opacity),
+      knob("fineness", fineness),
+      has("points", "curve", "fibres", "net", "poles", "normals") ? knob("radius", style.radius) : null,
+      has("sheets", "fibres") ? knob("count", style.count) : null,
+      has("sheets", "fibres") ? knob("axis", style.axis) : null,
+      has("normals") ? knob("length", style.length) : null,
+      has("surface", "envelope", "sheets") ? shading(style.shading, (value) => set({ shading: value })) : null,
     );
+  }
+
+  /** The picture follows the slider; the panel is left alone until it is let go. */
+  private turn(cell: CellInfo, style: Style, moving: boolean): void {
+    this.turning = moving;
+    if (moving) this.session.styleLive(cell.address, style);
+    else void this.session.endStyle(cell.address, style);
   }
 
   private send(cell: CellInfo, style: Style | null): void {
     void this.session.setStyle(cell.address, style);
   }
+}
+
+/** The remark on a cell, else the one on the sheet as a whole. */
+function noteOn(notes: readonly Note[], address: string): string {
+  const note = notes.find((one) => one.cell === address) ?? notes.find((one) => one.cell === null);
+  return note?.text ?? "";
+}
+
+/** The value in short, without the kind that stands beside it. */
+function withoutKind(cell: CellInfo): string {
+  const beginning = `${cell.kind} · `;
+  return cell.text.startsWith(beginning) ? cell.text.slice(beginning.length) : cell.text;
 }
 
 function costs(cell: CellInfo): HTMLElement {

@@ -24,6 +24,7 @@ export function paintCell(cell: HTMLTableCellElement, info: CellInfo | undefined
   if (info.error) paintError(cell, info);
   else if (PLAIN.has(info.sort)) paintPlain(cell, info);
   else paintForm(cell, info);
+  if (info.name) cell.prepend(el("span", { class: "cell-name" }, info.name));
   if (info.pending) {
     cell.classList.add("pending");
     cell.title = t("pending");
