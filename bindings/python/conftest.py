@@ -1,5 +1,6 @@
-"""Names that the examples of docstrings may use."""
+"""What the examples of docstrings find: the name they use, and a folder for their files."""
 
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -8,5 +9,8 @@ import pforms as pf
 
 
 @pytest.fixture(autouse=True)
-def _names(doctest_namespace: dict[str, Any]) -> None:
+def _surroundings(
+    doctest_namespace: dict[str, Any], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     doctest_namespace["pf"] = pf
+    monkeypatch.chdir(tmp_path)

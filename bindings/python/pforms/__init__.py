@@ -15,11 +15,13 @@ from pforms._pforms import (
     Form,
     Immersed,
     Piecewise,
+    Sheet,
     __version__,
     bernstein,
     combine,
     explain,
     fit,
+    forecast,
     immerse,
     immerse_points,
     interpolate,
@@ -41,8 +43,10 @@ from pforms.errors import (
     PformsError,
     ShapeError,
 )
+from pforms.files import draw, load, save
 from pforms.records import Fit, Frame
 
+binormal_form = Form.binormal_form
 blossom = Form.blossom
 curvature = Form.curvature
 derivative = Form.derivative
@@ -52,6 +56,7 @@ evaluate = Form.evaluate
 frame = Form.frame
 grid = Form.grid
 hodograph = Form.hodograph
+normal_form = Form.normal_form
 normals = Form.normals
 reduce = Form.reduce
 reparametrise = Form.reparametrise
@@ -60,6 +65,7 @@ split = Form.split
 stretch = Form.stretch
 sub = Form.sub
 subdivide = Form.subdivide
+tangent_form = Form.tangent_form
 transpose = Form.transpose
 whole_line = Form.whole_line
 with_pole = Form.with_pole
@@ -78,24 +84,30 @@ __all__ = [
     "PformsError",
     "Piecewise",
     "ShapeError",
+    "Sheet",
     "__version__",
     "bernstein",
+    "binormal_form",
     "blossom",
     "combine",
     "curvature",
     "derivative",
     "diagonal",
+    "draw",
     "elevate",
     "evaluate",
     "explain",
     "fit",
+    "forecast",
     "frame",
     "grid",
     "hodograph",
     "immerse",
     "immerse_points",
     "interpolate",
+    "load",
     "midpoint",
+    "normal_form",
     "normals",
     "partition",
     "pascal",
@@ -103,12 +115,14 @@ __all__ = [
     "reduce",
     "reparametrise",
     "reverse",
+    "save",
     "segment",
     "split",
     "stack",
     "stretch",
     "sub",
     "subdivide",
+    "tangent_form",
     "tile",
     "transpose",
     "whole_line",

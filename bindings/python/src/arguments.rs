@@ -71,9 +71,15 @@ pub(crate) fn levels(list: &[usize]) -> Vec<u32> {
     list.iter().map(|&level| u32::try_from(level).unwrap_or(u32::MAX)).collect()
 }
 
-/// Forms given one by one.
-pub(crate) fn forms(argument: &str, objects: &[Bound<'_, PyAny>]) -> PyResult<Vec<Form>> {
-    objects.iter().map(|object| form(argument, object)).collect()
+/// Forms in a list; a single form stands for a list of one.
+pub(crate) fn listed_forms(argument: &str, object: &Bound<'_, PyAny>) -> PyResult<Vec<Form>> {
+    if object.is_instance_of::<PyForm>() {
+        return Ok(vec![form(argument, object)?]);
+    }
+    match object.try_iter() {
+        Ok(items) => items.map(|item| form(argument, &item?)).collect(),
+        Err(_) => Err(mistyped(argument, object, "a list of forms")),
+    }
 }
 
 /// A form.

@@ -11,6 +11,7 @@ use pyo3::sync::PyOnceLock;
 use pyo3::types::{PyFloat, PyList, PyTuple};
 
 use crate::errors::{ShapeError, done, fail, mistyped, raised};
+use crate::form::PyForm;
 
 /// NumPy allows no more axes.
 const MOST_AXES: usize = 64;
@@ -32,6 +33,9 @@ impl<'py> Numbers<'py> {
         if let Ok(array) = object.cast::<PyArrayDyn<f64>>() {
             return Self::borrow(argument, array);
         }
+        if let Ok(point) = object.cast::<PyForm>() {
+            return Self::of_point(argument, point);
+        }
         if object.is_none() {
             return Err(mistyped(argument, object, "numbers"));
         }
@@ -39,6 +43,16 @@ impl<'py> Numbers<'py> {
         check_size(argument, array.cast::<PyUntypedArray>()?)?;
         let array = to_float(&array).map_err(|error| explained(argument, object, error))?;
         Self::borrow(argument, array.cast::<PyArrayDyn<f64>>()?)
+    }
+
+    /// The coordinates of a form without axes.
+    fn of_point(argument: &str, point: &Bound<'py, PyForm>) -> PyResult<Self> {
+        let form = &point.get().form;
+        if form.axes() > 0 {
+            return Err(mistyped(argument, point, "numbers, or a form without axes"));
+        }
+        let values = form.points().map_err(|error| raised(&error))?;
+        Ok(Self::Owned { shape: vec![form.ambient()], values })
     }
 
     fn borrow(argument: &str, array: &Bound<'py, PyArrayDyn<f64>>) -> PyResult<Self> {

@@ -1,5 +1,6 @@
 //! Named columns of numbers that grow point after point.
 
+use numpy::PyArrayDyn;
 use pyo3::intern;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -49,6 +50,12 @@ impl Columns {
             Some(column) => column.values.extend_from_slice(values),
             None => self.columns.push(Column { name, width, values: values.to_vec() }),
         }
+    }
+
+    /// The numbers of the only column, an array of the parameters' shape.
+    pub(crate) fn into_numbers(self, py: Python<'_>) -> PyResult<Bound<'_, PyArrayDyn<f64>>> {
+        let values = self.columns.into_iter().next().map_or_else(Vec::new, |column| column.values);
+        array(py, &self.shape, values)
     }
 
     /// A `pforms.Frame` of arrays; a column without an entry for every point is left out.

@@ -181,8 +181,8 @@ impl PyForm {
     /// ----------
     /// index : int or tuple of int
     ///     One number for each axis, from 0.
-    /// point : array_like, shape (c,)
-    ///     The new place; a direction when the weight is 0.
+    /// point : array_like, shape (c,), or Form
+    ///     The new place, a direction when the weight is 0; or a point with a weight of its own.
     /// weight : float, optional
     ///     The new weight; the old one if absent.
     ///
@@ -204,6 +204,10 @@ impl PyForm {
         weight: Option<f64>,
     ) -> PyResult<Self> {
         let index = wholes("index", index, 1)?;
+        if let Ok(point) = point.cast::<Self>() {
+            let (form, pole) = (&self.form, point.get().form.homogeneous());
+            return done(py, form.pole_count(), || form.with_pole(&index, pole)).map(Self::from);
+        }
         let point = Numbers::read("point", point)?;
         if point.shape() != [self.form.ambient()] {
             let received = format!("an array of shape {:?}", point.shape());

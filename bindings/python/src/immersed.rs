@@ -1,13 +1,13 @@
 //! The class `Immersed`: host and inner side by side, until someone asks for poles.
 
 use numpy::PyArrayDyn;
-use pforms_kernel::Form;
-use pforms_operators::Immersed;
+use pforms_kernel::{Form, Kind};
+use pforms_operators::{self as operators, Forecast, Immersed};
 use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyTuple};
+use pyo3::types::{PyDict, PyString, PyTuple};
 
-use crate::arguments::form;
+use crate::arguments::{form, whole};
 use crate::errors::raised;
 use crate::evaluation::{derivative_orders, points};
 use crate::form::PyForm;
@@ -80,6 +80,58 @@ pub(crate) fn immerse<'py>(
     PyImmersed::from(lazy).into_bound_py_any(py)
 }
 
+/// What an immersion would cost: a dict of ``orders``, ``poles`` and ``bytes``. Nothing is made.
+///
+/// Parameters
+/// ----------
+/// inner, host : str or Form
+///     Kinds such as "pL3", or forms.
+/// ambient : int, optional
+///     Dimension of the space of a host given by its kind.
+///
+/// Raises
+/// ------
+/// ShapeError
+///     For a text that is no kind.
+///
+/// Examples
+/// --------
+/// >>> pf.forecast("pL3", "pS33")
+/// {'orders': (9,), 'poles': 9, 'bytes': 288}
+#[pyfunction]
+#[pyo3(signature = (inner, host, ambient=None), text_signature = "(inner, host, ambient=3)")]
+pub(crate) fn forecast<'py>(
+    inner: &Bound<'py, PyAny>,
+    host: &Bound<'py, PyAny>,
+    ambient: Option<&Bound<'py, PyAny>>,
+) -> PyResult<Bound<'py, PyDict>> {
+    let ambient = match (host.cast::<PyForm>(), ambient) {
+        (Ok(host), _) => host.get().form.ambient(),
+        (_, Some(ambient)) => whole("ambient", ambient)?,
+        (_, None) => 3,
+    };
+    let (py, inner, host) = (inner.py(), orders("inner", inner)?, orders("host", host)?);
+    told(py, operators::forecast::<f64>(&inner, &host, ambient))
+}
+
+fn orders(argument: &str, object: &Bound<'_, PyAny>) -> PyResult<Vec<usize>> {
+    match object.cast::<PyString>() {
+        Err(_) => Ok(form(argument, object)?.orders().to_vec()),
+        Ok(text) => match text.to_string_lossy().parse::<Kind>() {
+            Ok(kind) => Ok(kind.orders().to_vec()),
+            Err(error) => Err(raised(&error)),
+        },
+    }
+}
+
+fn told(py: Python<'_>, forecast: Forecast) -> PyResult<Bound<'_, PyDict>> {
+    let answer = PyDict::new(py);
+    answer.set_item("orders", PyTuple::new(py, forecast.orders)?)?;
+    answer.set_item("poles", forecast.poles)?;
+    answer.set_item("bytes", forecast.bytes)?;
+    Ok(answer)
+}
+
 #[pymethods]
 impl PyImmersed {
     #[new]
@@ -139,12 +191,7 @@ impl PyImmersed {
     /// >>> pf.Immersed(pf.Form([(0,), (1,)]), pf.Form([(0, 0), (1, 2)])).forecast()
     /// {'orders': (2,), 'poles': 2, 'bytes': 48}
     fn forecast<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let forecast = self.immersed.forecast();
-        let answer = PyDict::new(py);
-        answer.set_item("orders", PyTuple::new(py, forecast.orders)?)?;
-        answer.set_item("poles", forecast.poles)?;
-        answer.set_item("bytes", forecast.bytes)?;
-        Ok(answer)
+        told(py, self.immersed.forecast())
     }
 
     /// The form with its poles, as :func:`immerse`. Raises LimitError with the forecast size.

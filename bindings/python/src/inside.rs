@@ -1,11 +1,11 @@
 //! Hosts as spaces to draw in: segments, polylines, tiles, and any map of the poles.
 
-use pforms_kernel::{Error, Form};
+use pforms_kernel::Error;
 use pforms_operators as operators;
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
 
-use crate::arguments::{form, reals, wholes};
+use crate::arguments::{form, listed_forms, reals, wholes};
 use crate::arrays::Numbers;
 use crate::errors::{done, fail, mistyped, raised};
 use crate::form::PyForm;
@@ -85,7 +85,7 @@ pub(crate) fn polyline(
 ///
 /// Parameters
 /// ----------
-/// cells : sequence of Form
+/// cells : Form or sequence of Form
 ///     With one coordinate for each axis of the cage.
 /// cage : Form
 /// counts : int or sequence of int
@@ -115,10 +115,7 @@ pub(crate) fn tile(
     counts: &Bound<'_, PyAny>,
 ) -> PyResult<Vec<PyForm>> {
     let cage = form("cage", cage)?;
-    let Ok(given) = cells.try_iter() else {
-        return Err(mistyped("cells", cells, "a list of forms"));
-    };
-    let list: Vec<Form> = given.map(|cell| form("cells", &cell?)).collect::<PyResult<_>>()?;
+    let list = listed_forms("cells", cells)?;
     let counts = wholes("counts", counts, cage.axes())?;
     let tiles = done(cells.py(), usize::MAX, || operators::tile(&list, &cage, &counts))?;
     Ok(tiles.into_iter().map(PyForm::from).collect())

@@ -1,11 +1,16 @@
 //! pforms for Python: NumPy in and out, the lock released, errors translated. Computes nothing.
 
+// Documentation here is what Python's `help` shows, so it is written as Python's is.
+#![allow(clippy::doc_markdown, clippy::doc_link_with_quotes)]
+
 mod arguments;
 mod arithmetic;
 mod arrays;
 mod columns;
+mod drawing;
 mod errors;
 mod evaluation;
+mod files;
 mod form;
 mod gestures;
 mod immersed;
@@ -15,22 +20,31 @@ mod measuring;
 mod operators;
 mod parameters;
 mod piecewise;
+mod sheet;
+mod values;
+mod vectors;
 
 /// The compiled half of the package `pforms`.
 #[pyo3::pymodule]
 mod _pforms {
     #[pymodule_export]
+    use crate::drawing::_draw_forms;
+    #[pymodule_export]
+    use crate::files::{_read_forms, _write_forms};
+    #[pymodule_export]
     use crate::form::PyForm;
     #[pymodule_export]
     use crate::gestures::{bernstein, combine, explain, midpoint, partition, pascal, stack};
     #[pymodule_export]
-    use crate::immersed::{PyImmersed, immerse};
+    use crate::immersed::{PyImmersed, forecast, immerse};
     #[pymodule_export]
     use crate::inside::{immerse_points, polyline, segment, tile};
     #[pymodule_export]
     use crate::making::{fit, interpolate};
     #[pymodule_export]
     use crate::piecewise::PyPiecewise;
+    #[pymodule_export]
+    use crate::sheet::PySheet;
 
     /// The version of pforms.
     #[pymodule_export]

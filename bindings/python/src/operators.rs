@@ -226,10 +226,10 @@ impl PyForm {
     /// >>> quarter = pf.Form([(1, 0), (1, 1), (0, 1)], [1, 1, 2])
     /// >>> [part.kind for part in quarter.whole_line(0)]
     /// ['pL3', 'pL3', 'pL3']
-    #[pyo3(signature = (axis))]
-    fn whole_line(&self, axis: &Bound<'_, PyAny>) -> PyResult<Vec<Self>> {
-        let k = self.axis(axis)?;
-        let parts = done(axis.py(), self.cost(), || operators::whole_line(&self.form, k))?;
+    #[pyo3(signature = (axis=None), text_signature = "($self, axis=0)")]
+    fn whole_line(&self, py: Python<'_>, axis: Option<&Bound<'_, PyAny>>) -> PyResult<Vec<Self>> {
+        let k = self.first_axis_or(axis)?;
+        let parts = done(py, self.cost(), || operators::whole_line(&self.form, k))?;
         Ok(parts.into_iter().map(Self::from).collect())
     }
 
@@ -261,10 +261,10 @@ impl PyForm {
     /// >>> pf.Form([(0, 0), (1, 2), (2, 0)]).hodograph(0).poles
     /// array([[ 2.,  4.],
     ///        [ 2., -4.]])
-    #[pyo3(signature = (axis))]
-    fn hodograph(&self, axis: &Bound<'_, PyAny>) -> PyResult<Self> {
-        let k = self.axis(axis)?;
-        self.worked(axis.py(), |form| operators::hodograph(form, k))
+    #[pyo3(signature = (axis=None), text_signature = "($self, axis=0)")]
+    fn hodograph(&self, py: Python<'_>, axis: Option<&Bound<'_, PyAny>>) -> PyResult<Self> {
+        let k = self.first_axis_or(axis)?;
+        self.worked(py, |form| operators::hodograph(form, k))
     }
 
     /// The blossom (polar form): for each axis as many arguments as its degree.
@@ -274,7 +274,7 @@ impl PyForm {
     /// Parameters
     /// ----------
     /// *arguments : sequence of float
-    ///     One list for each axis.
+    ///     One list for each axis; for a curve the numbers themselves will do.
     ///
     /// Returns
     /// -------
@@ -299,11 +299,12 @@ impl PyForm {
             .iter()
             .map(|list| Numbers::read("arguments", &list))
             .collect::<PyResult<_>>()?;
-        if let Some(list) = lists.iter().find(|list| list.shape().len() != 1) {
-            let received = format!("an array of shape {:?}", list.shape());
-            return fail(&Error::shape("arguments", received, "a list for each axis"));
-        }
-        let lists: Vec<&[f64]> = lists.iter().map(Numbers::values).collect();
+        let numbers: Vec<f64> = lists.iter().flat_map(Numbers::values).copied().collect();
+        let lists: Vec<&[f64]> = if lists.iter().all(|list| list.shape().is_empty()) {
+            if self.form.axes() == 0 { Vec::new() } else { vec![&numbers] }
+        } else {
+            lists.iter().map(Numbers::values).collect()
+        };
         let py = arguments.py();
         let point = done(py, self.cost(), || operators::blossom(&self.form, &lists))?;
         array(py, &[self.form.width()], point)
@@ -315,13 +316,18 @@ impl PyForm {
         axis(&self.form, object)
     }
 
+    /// Axis 0 when none is named.
+    pub(crate) fn first_axis_or(&self, object: Option<&Bound<'_, PyAny>>) -> PyResult<usize> {
+        object.map_or(Ok(0), |axis| self.axis(axis))
+    }
+
     /// About how many multiplications an operator that passes once over each axis takes.
     fn cost(&self) -> usize {
         let orders = self.form.orders().iter();
         orders.fold(self.form.homogeneous().len(), |cost, order| cost.saturating_mul(*order))
     }
 
-    fn worked(
+    pub(crate) fn worked(
         &self,
         py: Python<'_>,
         operator: impl FnOnce(&Form) -> pforms_kernel::Result<Form> + Send,

@@ -140,7 +140,7 @@ def test_ragged_lists_are_named_with_their_lengths():
         ([("a", "b")], None, pf.ArgumentError),
         ([(1j, 2)], None, pf.ArgumentError),
         ([(1, 2)], "heavy", pf.ArgumentError),
-        (pf.Form((1, 2)), None, pf.ArgumentError),
+        (pf.Form([(1, 2)]), None, pf.ArgumentError),
     ],
 )
 def test_what_is_no_net_is_refused(poles, weights, error):

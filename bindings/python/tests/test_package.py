@@ -22,7 +22,11 @@ FAMILY = [
 def test_names_are_there_once_and_in_order():
     assert pf.__all__ == sorted(pf.__all__)
     assert all(hasattr(pf, name) for name in pf.__all__)
-    public = {name for name in vars(pf) if not name.startswith("_")} - {"errors", "records"}
+    public = {name for name in vars(pf) if not name.startswith("_")} - {
+        "errors",
+        "files",
+        "records",
+    }
     assert public <= set(pf.__all__)
     assert pf.__version__.count(".") == 2
 
@@ -67,6 +71,7 @@ print(*sorted(set(sys.modules) - before))
         "pforms",
         "pforms._pforms",
         "pforms.errors",
+        "pforms.files",
         "pforms.records",
     }
 
