@@ -55,8 +55,8 @@ export class Studio {
     this.sheet = new Sheet(this.session);
     this.view = makeView(this.session);
     this.gallery = new Gallery({
-      open: (figure) => void this.session.open(figure.text),
-      reopen: (sheet) => void this.session.resume(sheet.snapshot, false),
+      open: (figure) => void this.start(figure.text),
+      reopen: (sheet) => void this.session.resume(sheet.snapshot, false).then(() => this.sheet.focus()),
       picture: (sheet) => this.thumbnails.picture(sheet),
     });
     this.functions = new Functions({
@@ -78,6 +78,11 @@ export class Studio {
     this.root.dataset["ready"] = "";
   }
 
+  /** Goes on with another sheet, the keyboard in its first cell. */
+  private async start(text: string): Promise<void> {
+    if (await this.session.open(text)) this.sheet.focus();
+  }
+
   private assemble(inspector: Inspector, status: StatusBar): HTMLElement {
     const left = el("div", { class: "left" }, this.sheet.bar.root, this.sheet.root, inspector.root);
     const right = this.view?.root ?? viewless();
@@ -97,7 +102,7 @@ export class Studio {
 
   private topBar(): TopBar {
     return new TopBar(this.store, {
-      blank: () => void this.session.open(EMPTY),
+      blank: () => void this.start(EMPTY),
       open: () => this.files.choose(),
       save: () => void this.files.save(),
       export: (format) => void this.files.export(format),

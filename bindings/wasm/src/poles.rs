@@ -11,6 +11,9 @@ use crate::Problem;
 use crate::assist::shown;
 use crate::place::locale;
 
+/// A net of more poles than this is not dragged but typed: nobody takes hold of one among so many.
+const DRAGGED: usize = 4096;
+
 /// A pole of a literal cell.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Pole {
@@ -36,9 +39,12 @@ pub struct Poles {
 }
 
 impl Poles {
-    /// The poles of a cell that holds a net of points; `None` for any other.
+    /// The poles of a cell that holds a net of at most [`DRAGGED`] points; `None` for any other.
     pub(crate) fn of(sheet: &Sheet, at: Address, language: Language) -> Option<Self> {
         let Value::Form(form) = sheet.value(at) else { return None };
+        if form.pole_count() > DRAGGED {
+            return None;
+        }
         let editable = sheet.editable_poles(at);
         if editable.is_empty() || editable.len() != form.pole_count() {
             return None;

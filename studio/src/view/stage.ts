@@ -117,7 +117,7 @@ export class Stage {
   }
 
   /** Lets the axes reach a little beyond the forms. */
-  private fitAxes(): void {
+  fitAxes(): void {
     const box = this.bounds();
     const far = Math.max(...box.min.toArray().map(Math.abs), ...box.max.toArray().map(Math.abs));
     this.axes.group.scale.setScalar(box.isEmpty() || far === 0 ? 1 : far);

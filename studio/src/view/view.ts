@@ -74,10 +74,13 @@ export class View {
 
   private refresh(touched: ReadonlySet<string> | null): void {
     const { store } = this.session;
+    const first = [...this.stage.drawn].length === 0;
     const all = new Set([...this.stage.drawn, ...store.drawings.keys()]);
     for (const address of touched ?? all) this.stage.put(address, store.drawings.get(address));
     this.nothing.hidden = store.drawings.size > 0;
-    if (this.untouched && !this.drag.active) this.look(this.stage.cameras.view, false);
+    if (this.drag.active) return;
+    if (this.untouched || first) this.look(this.stage.cameras.view, false);
+    else this.stage.fitAxes();
   }
 
   private refreshHandles(): void {
@@ -123,6 +126,7 @@ export class View {
       if (event.ctrlKey || event.metaKey || event.altKey || !this.key(event.key)) return;
       event.preventDefault();
     });
+    this.root.addEventListener("pointerdown", () => (this.untouched = false), { capture: true });
     this.canvas.addEventListener("pointerdown", (event) => (this.press = { x: event.offsetX, y: event.offsetY }));
     this.canvas.addEventListener("pointerup", (event) => this.click(event));
   }
