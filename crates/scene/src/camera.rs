@@ -1,9 +1,10 @@
 //! Where a scene is seen from.
 //!
-//! The picture is the book's: x to the right, y up, z away from the viewer.
+//! The picture is the book's: x to the right, y up, z away from the viewer; or turned about x so
+//! that z is up.
 
 use pforms_kernel::{Error, Result};
-use pforms_mesh::vector::{Vec3, add, norm, scale, subtract, unit};
+use pforms_mesh::vector::{Vec3, add, dot, norm, scale, subtract, unit};
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 
@@ -32,12 +33,26 @@ pub enum View {
     Perspective,
 }
 
+/// The axis that stands upright in the picture: y in the book, z in many models.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Up {
+    /// The axis y.
+    #[default]
+    Y,
+    /// The axis z; the axis y then points towards the viewer.
+    Z,
+}
+
 /// The table `[camera]` of a sheet. What is left open is fitted to what is drawn.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Camera {
     /// The direction, and whether there is perspective.
     pub view: View,
+    /// The axis that stands upright.
+    #[serde(skip_serializing_if = "is_usual")]
+    pub up: Up,
     /// The eye.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub position: Option<Vec3>,
@@ -75,15 +90,35 @@ pub struct Placement {
     pub projection: Projection,
 }
 
-impl View {
-    /// From the target to the eye.
-    pub fn direction(self) -> Vec3 {
+fn is_usual(up: &Up) -> bool {
+    *up == Up::default()
+}
+
+impl Up {
+    /// The direction itself.
+    fn direction(self) -> Vec3 {
+        self.turned([0.0, 1.0, 0.0])
+    }
+
+    /// A direction of the book's picture, in a picture with this axis upright.
+    fn turned(self, [x, y, z]: Vec3) -> Vec3 {
         match self {
-            Self::Ox => [1.0, 0.0, 0.0],
-            Self::Oy => [0.0, 1.0, 0.0],
-            Self::Oz => [0.0, 0.0, -1.0],
-            Self::Axo => [1.0, 1.0, -1.0],
-            Self::Perspective => [0.7, 1.3, -1.1],
+            Self::Y => [x, y, z],
+            Self::Z => [x, 0.0 - z, y],
+        }
+    }
+}
+
+impl View {
+    /// From the target to the eye. A view named after an axis looks along that axis.
+    pub fn direction(self, up: Up) -> Vec3 {
+        let front = [0.0, 0.0, -1.0];
+        match (self, up) {
+            (Self::Ox, _) => [1.0, 0.0, 0.0],
+            (Self::Oy, Up::Y) | (Self::Oz, Up::Z) => up.direction(),
+            (Self::Oz, Up::Y) | (Self::Oy, Up::Z) => up.turned(front),
+            (Self::Axo, _) => up.turned([1.0, 1.0, -1.0]),
+            (Self::Perspective, _) => up.turned([0.7, 1.3, -1.1]),
         }
     }
 }
@@ -130,15 +165,17 @@ impl Camera {
             // Far enough out that nothing lies behind the eye.
             (4.0 * (radius + norm(subtract(target, centre))), Projection::Parallel { across })
         };
-        let direction = unit(self.view.direction()).unwrap_or_default();
+        let direction = unit(self.view.direction(self.up)).unwrap_or_default();
         let position = self.position.filter(|position| *position != target);
         let position = position.unwrap_or_else(|| add(target, scale(distance, direction)));
-        Placement { position, target, up: upright(subtract(target, position)), projection }
+        let up = upright(self.up, subtract(target, position));
+        Placement { position, target, up, projection }
     }
 }
 
-/// The axis y, unless one looks along it: then the axis z.
-fn upright(forward: Vec3) -> Vec3 {
-    let sideways = norm([forward[0], 0.0, forward[2]]);
-    if sideways > 1e-6 * norm(forward) { [0.0, 1.0, 0.0] } else { [0.0, 0.0, 1.0] }
+/// The upright axis, unless one looks along it: then the one that points away in the book's picture.
+fn upright(up: Up, forward: Vec3) -> Vec3 {
+    let along = dot(up.direction(), forward);
+    let sideways = norm(subtract(forward, scale(along, up.direction())));
+    if sideways > 1e-6 * norm(forward) { up.direction() } else { up.turned([0.0, 0.0, 1.0]) }
 }

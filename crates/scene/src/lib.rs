@@ -14,7 +14,7 @@ mod shapes;
 mod style;
 
 pub use bounds::Bounds;
-pub use camera::{Camera, HALF_ANGLE_TANGENT, Placement, Projection, View};
+pub use camera::{Camera, HALF_ANGLE_TANGENT, Placement, Projection, Up, View};
 pub use color::Color;
 pub use draw::draw;
 pub use mode::Mode;

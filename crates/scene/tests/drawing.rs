@@ -5,8 +5,8 @@ use pforms_catalogue::Value;
 use pforms_kernel::{Form, Rational, Scalar};
 use pforms_mesh::vector::{dot, norm, subtract, unit};
 use pforms_scene::{
-    Bounds, Buffers, Camera, Levels, Mode, Part, Projection, Scene, Shading, Shapes, Style, View,
-    draw,
+    Bounds, Buffers, Camera, Levels, Mode, Part, Projection, Scene, Shading, Shapes, Style, Up,
+    View, draw,
 };
 use serde_json::{Map, json};
 
@@ -155,15 +155,18 @@ fn buffers_hold_the_same_in_single_precision() {
 #[test]
 fn a_camera_fits_what_it_leaves_open() {
     let bounds = Bounds::of(&[[0.0; 3], [2.0, 4.0, 4.0]]);
-    for view in [View::Ox, View::Oy, View::Oz, View::Axo, View::Perspective] {
-        let placement = Camera { view, ..Camera::default() }.placed(&bounds);
+    let views = [View::Ox, View::Oy, View::Oz, View::Axo, View::Perspective];
+    for (view, up) in views.into_iter().flat_map(|view| [(view, Up::Y), (view, Up::Z)]) {
+        let placement = Camera { view, up, ..Camera::default() }.placed(&bounds);
         assert_eq!(placement.target, [1.0, 2.0, 2.0]);
         let out = subtract(placement.position, placement.target);
         assert!(norm(out) > 3.0, "the eye is outside");
-        let (way, expected) = (unit(out).unwrap(), unit(view.direction()).unwrap());
+        let (way, expected) = (unit(out).unwrap(), unit(view.direction(up)).unwrap());
         assert!((dot(way, expected) - 1.0).abs() < 1e-12);
         assert!(dot(way, placement.up).abs() < 0.99, "{view:?} has an upright");
     }
+    let level = |up| Camera { up, ..Camera::default() }.placed(&bounds).up;
+    assert_eq!((level(Up::Y), level(Up::Z)), ([0.0, 1.0, 0.0], [0.0, 0.0, 1.0]));
     let zoomed = Camera { zoom: Some(0.75), ..Camera::default() }.placed(&bounds);
     assert_eq!(zoomed.projection, Projection::Parallel { across: 1.0 / 0.75 });
 }

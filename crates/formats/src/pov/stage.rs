@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use pforms_mesh::vector::{Vec3, add, norm, scale, subtract};
-use pforms_scene::{Placement, Projection, Scene, View};
+use pforms_scene::{Camera, Placement, Projection, Scene};
 
 use super::vector;
 
@@ -38,7 +38,7 @@ pub(super) fn write(text: &mut String, scene: &Scene) {
             Projection::Parallel { across } => across,
             Projection::Perspective => norm(subtract(placement.position, placement.target)),
         };
-        axes(text, scene.camera.view, width / USUAL_WIDTH);
+        axes(text, &scene.camera, width / USUAL_WIDTH);
     }
 }
 
@@ -62,9 +62,9 @@ fn camera(text: &mut String, placement: &Placement) {
 }
 
 /// Thin cylinders, but for the axis one looks along.
-fn axes(text: &mut String, view: View, size: f64) {
+fn axes(text: &mut String, camera: &Camera, size: f64) {
     for (direction, color) in AXES {
-        if view != View::Axo && view.direction().map(f64::abs) == direction {
+        if camera.view.direction(camera.up).map(f64::abs) == direction {
             continue;
         }
         let [from, to] = [-10.0 * size, 10.0 * size].map(|reach| vector(scale(reach, direction)));

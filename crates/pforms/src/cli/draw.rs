@@ -55,6 +55,9 @@ pub(crate) struct Look {
     /// OX, OY, OZ, AXO or PERSPECTIVE.
     #[arg(long)]
     view: Option<String>,
+    /// The axis that stands upright: y (as in the book) or z (as in many models).
+    #[arg(long, value_name = "AXIS", value_parser = ["y", "z"])]
+    up: Option<String>,
     /// Without perspective, the picture shows 1/ZOOM across.
     #[arg(long)]
     zoom: Option<f64>,
@@ -105,6 +108,7 @@ impl Look {
     fn camera(&self) -> Map<String, Json> {
         given([
             ("view", self.view.as_ref().map(|view| Json::from(view.to_uppercase()))),
+            ("up", self.up.as_deref().map(Json::from)),
             ("zoom", self.zoom.map(Json::from)),
         ])
     }
