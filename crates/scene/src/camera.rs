@@ -90,6 +90,7 @@ pub struct Placement {
     pub projection: Projection,
 }
 
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "the form that serde calls")]
 fn is_usual(up: &Up) -> bool {
     *up == Up::default()
 }
