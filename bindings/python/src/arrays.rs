@@ -8,13 +8,16 @@ use pyo3::exceptions::{PyOverflowError, PyTypeError, PyValueError};
 use pyo3::intern;
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
-use pyo3::types::{PyFloat, PyList, PyTuple};
+use pyo3::types::{PyFloat, PyInt, PyList, PyTuple};
 
 use crate::errors::{ShapeError, done, fail, mistyped, raised};
 use crate::form::PyForm;
 
 /// NumPy allows no more axes.
 const MOST_AXES: usize = 64;
+
+/// Numbers in an array that no machine is short of memory for.
+const LARGE: usize = 1 << 16;
 
 /// An array of `f64` in C order: the caller's own when it is one already, else a converted copy.
 pub(crate) enum Numbers<'py> {
@@ -27,8 +30,8 @@ impl<'py> Numbers<'py> {
     ///
     /// Errors: `ArgumentError` for what holds no real numbers, `ShapeError` for ragged lists.
     pub(crate) fn read(argument: &str, object: &Bound<'py, PyAny>) -> PyResult<Self> {
-        if let Ok(number) = object.cast::<PyFloat>() {
-            return Ok(Self::Owned { shape: Vec::new(), values: vec![number.value()] });
+        if let Some(number) = plain_number(object) {
+            return Ok(Self::Owned { shape: Vec::new(), values: vec![number] });
         }
         if let Ok(array) = object.cast::<PyArrayDyn<f64>>() {
             return Self::borrow(argument, array);
@@ -81,6 +84,14 @@ impl<'py> Numbers<'py> {
             Self::Owned { values, .. } => values,
         }
     }
+}
+
+/// One of Python's own numbers, without a detour through NumPy.
+fn plain_number(object: &Bound<'_, PyAny>) -> Option<f64> {
+    if let Ok(number) = object.cast::<PyFloat>() {
+        return Some(number.value());
+    }
+    object.cast::<PyInt>().ok().and_then(|number| number.extract().ok())
 }
 
 /// `numpy.asarray(object)`, refusing what is no array of real numbers.
@@ -176,7 +187,7 @@ pub(crate) fn filled<'py>(
     check_axes(&shape)?;
     let array = match out {
         Some(out) => writable(out, &shape)?,
-        None => PyArrayDyn::zeros(py, shape.as_slice(), false),
+        None => fresh(py, &shape)?,
     };
     let mut view = array.try_readwrite().map_err(|_| {
         ShapeError::new_err("out: received a read-only array or one of the arguments, expected an array that can be written")
@@ -185,6 +196,16 @@ pub(crate) fn filled<'py>(
     done(py, cost, || fill(slice))?;
     drop(view);
     Ok(array)
+}
+
+/// An array to be filled. NumPy makes the large ones, since it can say that memory is short.
+fn fresh<'py>(py: Python<'py>, shape: &[usize]) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
+    static EMPTY: PyOnceLock<Py<PyAny>> = PyOnceLock::new();
+    if shape.iter().product::<usize>() < LARGE {
+        return Ok(PyArrayDyn::zeros(py, shape, false));
+    }
+    let array = EMPTY.import(py, "numpy", "empty")?.call1((PyTuple::new(py, shape)?,))?;
+    Ok(array.cast_into::<PyArrayDyn<f64>>()?)
 }
 
 fn writable<'py>(

@@ -120,7 +120,7 @@ pub(crate) fn derivative_orders(object: &Bound<'_, PyAny>, form: &Form) -> PyRes
 }
 
 /// A quotient of series takes the square of its length: this keeps it below seconds.
-const SLOWNESS: usize = 1 << 12;
+const SLOWNESS: usize = 1 << 14;
 
 #[pymethods]
 impl PyForm {

@@ -11,25 +11,28 @@ import numpy as np
 import pforms as pf
 
 
-def counted_during(work):
-    """How far another thread counts while this one works, and how long that took."""
-    count, stop, started = [0], threading.Event(), threading.Event()
+def lets_others_run(work):
+    """Does another thread get the lock during some of many calls?"""
+    ran, stop = threading.Event(), threading.Event()
 
-    def count_up():
-        started.set()
+    def run():
         while not stop.is_set():
-            count[0] += 1
+            ran.set()
+            time.sleep(0.0001)
 
-    thread = threading.Thread(target=count_up)
+    thread = threading.Thread(target=run)
     before = sys.getswitchinterval()
-    # Long enough for the lines around the work: without a release the counter stands still.
-    sys.setswitchinterval(0.1)
+    # No thread is interrupted for so long: the lock is had only by those it is given to.
+    sys.setswitchinterval(1000)
     try:
         thread.start()
-        started.wait()
-        count[0] = 0
-        work()
-        return count[0]
+        ran.wait()
+        ran.clear()
+        for _ in range(100):
+            work()
+            if ran.is_set():
+                return True
+        return False
     finally:
         stop.set()
         sys.setswitchinterval(before)
@@ -38,14 +41,17 @@ def counted_during(work):
 
 def test_the_lock_is_released(make):
     form = make(8, 8)
-    t = np.linspace(0, 1, 500)
-    assert counted_during(lambda: form.grid(t, t)) > 100
-    assert counted_during(lambda: form.subdivide(5)) > 100
+    t = np.linspace(0, 1, 300)
+    assert lets_others_run(lambda: form.grid(t, t))
+    assert lets_others_run(lambda: form.normals(t[:, None], t))
+    assert lets_others_run(lambda: form.subdivide(5))
+    assert lets_others_run(lambda: pf.Sheet("pfs = 1\n[cells]\nA1 = '=1/2'"))
 
 
 def test_small_calls_keep_the_lock(make):
     form = make(2)
-    assert counted_during(lambda: form(0.5)) < 100
+    assert not lets_others_run(lambda: form(0.5))
+    assert not lets_others_run(lambda: form.elevate(1))
 
 
 def test_threads_share_forms(make):
