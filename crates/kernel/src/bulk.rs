@@ -1,7 +1,7 @@
 //! Evaluate many points in `f64`, without an allocation per point.
 
 use crate::basis::bernstein_row_into;
-use crate::jet::vanishing_weight;
+use crate::jet::unreachable;
 use crate::lanes::{Blocks, LANES};
 use crate::{Error, Form, Result, bernstein_row, limit};
 
@@ -10,7 +10,8 @@ impl Form<f64> {
     ///
     /// The result has shape `(len₀, len₁, …, ambient)`, C order.
     ///
-    /// Errors: `Shape`, `Domain` where the weight vanishes or a parameter is not finite, `Limit`.
+    /// Errors: `Shape`; `Domain` where the weight vanishes, a coordinate overflows or a parameter is
+    /// not finite; `Limit`.
     pub fn grid(&self, parameters: &[&[f64]]) -> Result<Vec<f64>> {
         self.require_per_axis("parameters", parameters)?;
         let counts: Vec<usize> = parameters.iter().map(|list| list.len()).collect();
@@ -33,40 +34,12 @@ impl Form<f64> {
         if counts == 0 {
             return Ok(());
         }
-        let rows: Vec<Vec<f64>> = parameters
-            .iter()
-            .zip(self.orders())
-            .map(|(list, order)| list.iter().flat_map(|t| bernstein_row(order - 1, t)).collect())
-            .collect();
-        let mut scratch = Vec::new();
-        self.descend(self.homogeneous(), 0, &rows, &mut scratch, out)
-    }
-
-    /// Contracts axis `axis` with each of its rows and goes on with the rest of the axes.
-    fn descend(
-        &self,
-        poles: &[f64],
-        axis: usize,
-        rows: &[Vec<f64>],
-        scratch: &mut Vec<Vec<f64>>,
-        out: &mut [f64],
-    ) -> Result<()> {
-        let Some(&order) = self.orders().get(axis) else {
-            return project(poles, out);
+        let row = |(list, order): (&&[f64], &usize)| {
+            list.iter().flat_map(|t| bernstein_row(order - 1, t)).collect()
         };
-        let samples = rows[axis].len() / order;
-        let share = out.len() / samples;
-        let inner = poles.len() / order;
-        if axis + 1 == self.axes() {
-            return sum_rows(poles, &rows[axis], order, out);
-        }
-        let mut line = scratch.pop().unwrap_or_default();
-        for (row, part) in rows[axis].chunks_exact(order).zip(out.chunks_exact_mut(share)) {
-            combine(row, poles, inner, &mut line);
-            self.descend(&line, axis + 1, rows, scratch, part)?;
-        }
-        scratch.push(line);
-        Ok(())
+        let rows = parameters.iter().zip(self.orders()).map(row).collect();
+        let grid = Grid { form: self, rows, uniform: self.uniform_weight().copied() };
+        grid.descend(self.homogeneous(), 0, &mut Vec::new(), out)
     }
 
     /// Euclidean points at scattered parameters: `parameters[k][i]` is parameter `k` of point `i`.
@@ -97,9 +70,7 @@ impl Form<f64> {
         let whole = count / LANES * LANES;
         let parts = out.chunks_exact_mut(LANES * self.ambient());
         for (start, part) in (0..whole).step_by(LANES).zip(parts) {
-            if !blocks.write(parameters, start, part) {
-                return Err(vanishing_weight());
-            }
+            blocks.write(parameters, start, part)?;
         }
         Ok(whole)
     }
@@ -144,6 +115,42 @@ impl Form<f64> {
     }
 }
 
+/// A form with the basis values of a grid, and the weight that all its poles have, if they have one.
+struct Grid<'a> {
+    form: &'a Form<f64>,
+    rows: Vec<Vec<f64>>,
+    uniform: Option<f64>,
+}
+
+impl Grid<'_> {
+    /// Contracts axis `axis` with each of its rows and goes on with the rest of the axes.
+    fn descend(
+        &self,
+        poles: &[f64],
+        axis: usize,
+        scratch: &mut Vec<Vec<f64>>,
+        out: &mut [f64],
+    ) -> Result<()> {
+        let Some(&order) = self.form.orders().get(axis) else {
+            return project(poles, out);
+        };
+        let rows = &self.rows[axis];
+        let samples = rows.len() / order;
+        let share = out.len() / samples;
+        let inner = poles.len() / order;
+        if axis + 1 == self.rows.len() {
+            return sum_rows(poles, rows, order, self.uniform, out);
+        }
+        let mut line = scratch.pop().unwrap_or_default();
+        for (row, part) in rows.chunks_exact(order).zip(out.chunks_exact_mut(share)) {
+            combine(row, poles, inner, &mut line);
+            self.descend(&line, axis + 1, scratch, part)?;
+        }
+        scratch.push(line);
+        Ok(())
+    }
+}
+
 /// Buffers for evaluating one point after another without allocating.
 #[derive(Default)]
 pub struct Batch {
@@ -161,6 +168,9 @@ impl Batch {
             bernstein_row_into(order - 1, t, &mut self.row);
             combine(&self.row, &self.from, self.from.len() / order, &mut self.to);
             std::mem::swap(&mut self.from, &mut self.to);
+        }
+        if let Some(weight) = form.uniform_weight() {
+            self.from[form.ambient()] = *weight;
         }
         &self.from
     }
@@ -182,15 +192,23 @@ pub(crate) fn add_lines(row: &[f64], poles: &[f64], line: &mut [f64]) {
     }
 }
 
-/// Sums and projects the poles of a curve for every row of basis values.
-fn sum_rows(poles: &[f64], rows: &[f64], order: usize, out: &mut [f64]) -> Result<()> {
+/// Sums and projects the poles of a curve for every row of basis values; `uniform` is the weight
+/// that all poles of the form have, if they have one.
+fn sum_rows(
+    poles: &[f64],
+    rows: &[f64],
+    order: usize,
+    uniform: Option<f64>,
+    out: &mut [f64],
+) -> Result<()> {
     match poles.len() / order {
-        3 => sum_rows_of::<3>(poles, rows, order, out),
-        4 => sum_rows_of::<4>(poles, rows, order, out),
+        3 => sum_rows_of::<3>(poles, rows, order, uniform, out),
+        4 => sum_rows_of::<4>(poles, rows, order, uniform, out),
         width => {
             let mut point = Vec::new();
             for (row, part) in rows.chunks_exact(order).zip(out.chunks_exact_mut(width - 1)) {
                 combine(row, poles, width, &mut point);
+                point[width - 1] = uniform.unwrap_or(point[width - 1]);
                 project(&point, part)?;
             }
             Ok(())
@@ -203,6 +221,7 @@ fn sum_rows_of<const W: usize>(
     poles: &[f64],
     rows: &[f64],
     order: usize,
+    uniform: Option<f64>,
     out: &mut [f64],
 ) -> Result<()> {
     let (poles, _) = poles.as_chunks::<W>();
@@ -213,21 +232,23 @@ fn sum_rows_of<const W: usize>(
                 point[k] += coefficient * pole[k];
             }
         }
+        point[W - 1] = uniform.unwrap_or(point[W - 1]);
         project(&point, part)?;
     }
     Ok(())
 }
 
+/// Divides by the weight. `0·x` is 0 unless `x` is infinite or NaN, so one sum sees them all: a
+/// weight that vanishes too, which leaves nothing finite.
 #[inline]
 fn project(point: &[f64], out: &mut [f64]) -> Result<()> {
     let (coordinates, weight) = point.split_at(out.len());
-    if weight[0] == 0.0 {
-        return Err(vanishing_weight());
-    }
+    let mut guard = 0.0 * weight[0];
     for (x, coordinate) in out.iter_mut().zip(coordinates) {
         *x = coordinate / weight[0];
+        guard += 0.0 * *x;
     }
-    Ok(())
+    if guard == 0.0 { Ok(()) } else { Err(unreachable(&weight[0])) }
 }
 
 fn require_output(out: &[f64], expected: usize) -> Result<()> {

@@ -2,7 +2,7 @@
 
 use crate::basis::taylor_row_into;
 use crate::bulk::add_lines;
-use crate::jet::{factorials, lower, vanishing_weight};
+use crate::jet::{factorials, lower, unreachable};
 use crate::{Form, Result, pascal_row};
 
 impl Form<f64> {
@@ -30,6 +30,7 @@ struct Derivatives {
     choices: Vec<Vec<f64>>,
     below: Vec<Vec<usize>>,
     scale: f64,
+    uniform: Option<f64>,
     row: Vec<f64>,
     from: Vec<f64>,
     to: Vec<f64>,
@@ -42,6 +43,7 @@ impl Derivatives {
             choices: form.degrees().into_iter().map(pascal_row).collect(),
             below: lower(orders),
             scale: factorials(orders),
+            uniform: form.uniform_weight().copied(),
             row: Vec::new(),
             from: Vec::new(),
             to: Vec::new(),
@@ -53,8 +55,9 @@ impl Derivatives {
         self.expand(form, parameters);
         let width = form.width();
         let weight = |jet: &[f64], k: usize| jet[k * width + width - 1];
-        if weight(&self.from, 0) == 0.0 {
-            return Err(vanishing_weight());
+        let divisor = weight(&self.from, 0);
+        if divisor == 0.0 {
+            return Err(unreachable(&divisor));
         }
         for (k, below) in self.below.iter().enumerate() {
             for c in 0..width - 1 {
@@ -62,14 +65,14 @@ impl Derivatives {
                 for &j in &below[..below.len() - 1] {
                     rest -= weight(&self.from, k - j) * self.from[j * width + c];
                 }
-                self.from[k * width + c] = rest / weight(&self.from, 0);
+                self.from[k * width + c] = rest / divisor;
             }
         }
         let top = (self.below.len() - 1) * width;
         for (x, derivative) in out.iter_mut().zip(&self.from[top..]) {
             *x = derivative * self.scale;
         }
-        Ok(())
+        if out.iter().all(|x| x.is_finite()) { Ok(()) } else { Err(unreachable(&divisor)) }
     }
 
     /// Leaves in `from` the homogeneous Taylor coefficients, one pole for each multi-index.
@@ -93,6 +96,11 @@ impl Derivatives {
             }
             before *= self.orders[axis] + 1;
             std::mem::swap(&mut self.from, &mut self.to);
+        }
+        if let Some(weight) = self.uniform {
+            for (k, pole) in self.from.chunks_exact_mut(form.width()).enumerate() {
+                pole[form.ambient()] = if k == 0 { weight } else { 0.0 };
+            }
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Evaluate one point, in any scalar.
 
-use crate::jet::vanishing_weight;
+use crate::jet::unreachable;
 use crate::{Form, Result, Scalar, bernstein_row};
 
 impl<S: Scalar> Form<S> {
@@ -8,7 +8,7 @@ impl<S: Scalar> Form<S> {
     ///
     /// Any real parameters are legal; `[0, 1]` is the usual window. In `f64` and inside the window
     /// each coordinate is within `2·Σdegrees + axes` roundings of the exact value, relative to
-    /// the largest pole.
+    /// the largest pole; a weight that all poles share is the weight of the point to the bit.
     ///
     /// Errors: `Shape` unless there is one parameter for each axis; `Domain` when one is not finite.
     pub fn homogeneous_at(&self, parameters: &[S]) -> Result<Vec<S>> {
@@ -23,19 +23,28 @@ impl<S: Scalar> Form<S> {
             }
             point = sum;
         }
+        if let Some(weight) = self.uniform_weight() {
+            point[self.ambient()] = weight.clone();
+        }
         Ok(point)
     }
 
     /// The euclidean point at `parameters`: `ambient` numbers.
     ///
-    /// Errors: as [`Form::homogeneous_at`], and `Domain` where the weight vanishes.
+    /// Errors: as [`Form::homogeneous_at`], and `Domain` where the weight vanishes or a coordinate
+    /// overflows.
     pub fn at(&self, parameters: &[S]) -> Result<Vec<S>> {
         let mut point = self.homogeneous_at(parameters)?;
-        match point.pop() {
-            Some(weight) if !weight.is_zero() => {
-                Ok(point.into_iter().map(|x| x / weight.clone()).collect())
-            }
-            _ => Err(vanishing_weight()),
+        let weight = point.pop().unwrap_or_else(S::zero);
+        if weight.is_zero() || !weight.is_finite() {
+            return Err(unreachable(&weight));
+        }
+        for x in &mut point {
+            *x = x.clone() / weight.clone();
+        }
+        match point.iter().all(S::is_finite) {
+            true => Ok(point),
+            false => Err(unreachable(&weight)),
         }
     }
 

@@ -55,7 +55,7 @@ impl<S: Scalar> Jet<S> {
     /// Errors: `Domain` when it does.
     pub fn divided_by(&self, divisor: &Self) -> Result<Self> {
         if divisor.value().is_zero() {
-            return Err(vanishing_weight());
+            return Err(unreachable(divisor.value()));
         }
         let mut quotient = self.clone();
         for (k, below) in lower(&self.orders).iter().enumerate() {
@@ -113,23 +113,35 @@ impl<S: Scalar> Form<S> {
                 .map(|pole| pole[k].clone())
                 .collect(),
         };
-        Ok((0..self.width()).map(component).collect())
+        let mut jets: Vec<Jet<S>> = (0..self.ambient()).map(component).collect();
+        jets.push(match self.uniform_weight() {
+            Some(weight) => Jet::constant(orders, weight.clone()),
+            None => component(self.ambient()),
+        });
+        Ok(jets)
     }
 
     /// The derivative `∂^orders` of the euclidean point at `parameters`, `ambient` numbers.
     ///
-    /// Errors: `Shape` as for [`Form::jets`]; `Domain` where the weight vanishes.
+    /// Errors: `Shape` as for [`Form::jets`]; `Domain` where the weight vanishes or a coordinate
+    /// overflows.
     pub fn derivative_at(&self, parameters: &[S], orders: &[usize]) -> Result<Vec<S>> {
         let mut jets = self.jets(parameters, orders)?;
-        let weight = jets.pop().ok_or_else(vanishing_weight)?;
-        jets.iter().map(|jet| Ok(jet.divided_by(&weight)?.top_derivative())).collect()
+        let weight = jets.pop().unwrap_or_else(|| Jet::constant(orders, S::zero()));
+        let coordinate = |jet: &Jet<S>| {
+            let derivative = jet.divided_by(&weight)?.top_derivative();
+            if derivative.is_finite() { Ok(derivative) } else { Err(unreachable(weight.value())) }
+        };
+        jets.iter().map(coordinate).collect()
     }
 }
 
-pub(crate) fn vanishing_weight() -> Error {
-    Error::domain(
-        "parameters",
-        "a point where the weight vanishes",
-        "parameters where the form is finite",
-    )
+/// Why there is no point where the weight is this.
+#[cold]
+pub(crate) fn unreachable<S: Scalar>(weight: &S) -> Error {
+    let received = match weight.is_zero() {
+        true => "a point where the weight vanishes",
+        false => "a point beyond the largest floating number",
+    };
+    Error::domain("parameters", received, "parameters where the form is finite")
 }

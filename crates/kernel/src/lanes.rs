@@ -12,7 +12,8 @@
 
 use pulp::{Arch, WithSimd};
 
-use crate::Form;
+use crate::jet::unreachable;
+use crate::{Form, Result};
 
 /// Points in one block: a register of AVX-512, two of AVX2, four of SSE2 and of WebAssembly.
 pub(crate) const LANES: usize = 8;
@@ -26,6 +27,7 @@ const WIDEST: usize = 5;
 /// Evaluates blocks of points of one form, with buffers for the basis values.
 pub(crate) struct Blocks<'a> {
     form: &'a Form<f64>,
+    uniform: Option<f64>,
     arch: Arch,
     rows: Vec<Lanes>,
 }
@@ -34,20 +36,28 @@ impl<'a> Blocks<'a> {
     /// Blocks for this form, or `None` when its poles are too wide or it has no axis.
     pub(crate) fn new(form: &'a Form<f64>) -> Option<Self> {
         let rows = vec![[0.0; LANES]; form.orders().iter().sum()];
-        (form.width() <= WIDEST && form.axes() > 0).then(|| Self { form, arch: Arch::new(), rows })
+        let uniform = form.uniform_weight().copied();
+        let fits = form.width() <= WIDEST && form.axes() > 0;
+        fits.then(|| Self { form, uniform, arch: Arch::new(), rows })
     }
 
     /// The euclidean points at `parameters[axis][start ..][.. LANES]`, one after another in `out`.
     ///
-    /// `false` when a weight vanishes at one of them.
-    pub(crate) fn write(&mut self, parameters: &[&[f64]], start: usize, out: &mut [f64]) -> bool {
-        let block = Block { form: self.form, rows: &mut self.rows, parameters, start, out };
-        self.arch.dispatch(block)
+    /// Errors: `Domain` when a weight vanishes at one of them or a coordinate overflows.
+    pub(crate) fn write(
+        &mut self,
+        parameters: &[&[f64]],
+        start: usize,
+        out: &mut [f64],
+    ) -> Result<()> {
+        let Self { form, uniform, ref mut rows, .. } = *self;
+        self.arch.dispatch(Block { form, uniform, rows, parameters, start, out })
     }
 }
 
 struct Block<'a> {
     form: &'a Form<f64>,
+    uniform: Option<f64>,
     rows: &'a mut [Lanes],
     parameters: &'a [&'a [f64]],
     start: usize,
@@ -55,10 +65,10 @@ struct Block<'a> {
 }
 
 impl WithSimd for Block<'_> {
-    type Output = bool;
+    type Output = Result<()>;
 
     #[inline(always)]
-    fn with_simd<S: pulp::Simd>(self, _: S) -> bool {
+    fn with_simd<S: pulp::Simd>(self, _: S) -> Result<()> {
         let mut rest = &mut self.rows[..];
         for (list, order) in self.parameters.iter().zip(self.form.orders()) {
             let (rows, others) = rest.split_at_mut(*order);
@@ -68,10 +78,10 @@ impl WithSimd for Block<'_> {
             rest = others;
         }
         match self.form.width() {
-            2 => finish::<2>(self.form, self.rows, self.out),
-            3 => finish::<3>(self.form, self.rows, self.out),
-            4 => finish::<4>(self.form, self.rows, self.out),
-            _ => finish::<5>(self.form, self.rows, self.out),
+            2 => self.finish::<2>(),
+            3 => self.finish::<3>(),
+            4 => self.finish::<4>(),
+            _ => self.finish::<5>(),
         }
     }
 }
@@ -94,22 +104,27 @@ fn basis(t: &Lanes, rows: &mut [Lanes]) {
     }
 }
 
-/// Sums the poles of all axes and projects.
-#[inline(always)]
-fn finish<const W: usize>(form: &Form<f64>, rows: &[Lanes], out: &mut [f64]) -> bool {
-    let (poles, _) = form.homogeneous().as_chunks::<W>();
-    let mut point = [[0.0; LANES]; W];
-    match *form.orders() {
-        [_] => add_line(poles, rows, &[1.0; LANES], &mut point),
-        [first, second] => {
-            let (u, v) = rows.split_at(first);
-            for (factor, line) in u.iter().zip(poles.chunks_exact(second)) {
-                add_line(line, v, factor, &mut point);
+impl Block<'_> {
+    /// Sums the poles of all axes and projects.
+    #[inline(always)]
+    fn finish<const W: usize>(self) -> Result<()> {
+        let (poles, _) = self.form.homogeneous().as_chunks::<W>();
+        let mut point = [[0.0; LANES]; W];
+        match *self.form.orders() {
+            [_] => add_line(poles, self.rows, &[1.0; LANES], &mut point),
+            [first, second] => {
+                let (u, v) = self.rows.split_at(first);
+                for (factor, line) in u.iter().zip(poles.chunks_exact(second)) {
+                    add_line(line, v, factor, &mut point);
+                }
             }
+            ref orders => add_poles(poles, orders, self.rows, &[1.0; LANES], &mut point),
         }
-        ref orders => add_poles(poles, orders, rows, &[1.0; LANES], &mut point),
+        if let Some(weight) = self.uniform {
+            point[W - 1] = [weight; LANES];
+        }
+        project(&point, self.out)
     }
-    project(&point, out)
 }
 
 /// The same for any number of axes: one axis a step.
@@ -154,12 +169,17 @@ fn add_line<const W: usize>(
 }
 
 #[inline(always)]
-fn project<const W: usize>(point: &[Lanes; W], out: &mut [f64]) -> bool {
+fn project<const W: usize>(point: &[Lanes; W], out: &mut [f64]) -> Result<()> {
     let weight = &point[W - 1];
+    let mut guard = weight.map(|w| 0.0 * w);
     for (k, part) in out.chunks_exact_mut(W - 1).enumerate() {
         for (c, x) in part.iter_mut().enumerate() {
             *x = point[c][k] / weight[k];
+            guard[k] += 0.0 * *x;
         }
     }
-    weight.iter().all(|w| *w != 0.0)
+    match guard.iter().position(|sum| *sum != 0.0) {
+        None => Ok(()),
+        Some(k) => Err(unreachable(&weight[k])),
+    }
 }

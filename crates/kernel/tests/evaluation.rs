@@ -172,3 +172,50 @@ fn evaluation_at_high_degree_keeps_its_stated_bound() {
         }
     }
 }
+
+/// Far outside the window the basis adds up to 1 only after cancellation: the weight of a
+/// polynomial form must not be taken from that sum.
+#[test]
+fn far_outside_the_window_a_polynomial_form_keeps_its_weight() {
+    let parabola: Form = Form::from_points(&[3], 2, &[0., 0., 1., 2., 2., 0.], None).unwrap();
+    for t in [1e8, -3e9, 1e12, 1e100] {
+        let exact = [2.0 * t, 4.0 * t * (1.0 - t)];
+        let list = [t; 9];
+        let everywhere = [
+            parabola.at(&[t]).unwrap(),
+            parabola.grid(&[&list]).unwrap(),
+            parabola.scattered(&[&list]).unwrap(),
+        ];
+        for point in everywhere.iter().flat_map(|points| points.chunks_exact(2)) {
+            for (x, y) in point.iter().zip(exact) {
+                assert!((x - y).abs() <= 8.0 * f64::EPSILON * t * t, "{t}: {x} for {y}");
+            }
+        }
+        let mut fall = [0.0; 2];
+        parabola.scattered_derivative_into(&[&[t]], &[2], &mut fall).unwrap();
+        assert_eq!(fall.to_vec(), parabola.derivative_at(&[t], &[2]).unwrap());
+        assert_eq!(fall, [0.0, -8.0]);
+    }
+}
+
+#[test]
+fn a_point_beyond_the_largest_number_is_refused() {
+    for weights in [None, Some(&[1.0, -0.5, 1.0][..])] {
+        let f: Form = Form::from_points(&[3], 2, &[0., 0., 1., 2., 2., 0.], weights).unwrap();
+        let list = [1e200; 9];
+        let mut slope = [0.0; 18];
+        let refusals = [
+            f.at(&[1e200]).unwrap_err(),
+            f.grid(&[&list]).unwrap_err(),
+            f.scattered(&[&list]).unwrap_err(),
+            f.scattered(&[&list[..1]]).unwrap_err(),
+        ];
+        for error in refusals {
+            assert!(error.to_string().contains("beyond the largest"), "{error}");
+        }
+        assert!(f.scattered_derivative_into(&[&list], &[0], &mut slope).is_err());
+    }
+    let circle: Form =
+        Form::from_points(&[3], 2, &[1., 0., 1., 1., 0., 1.], Some(&[1., 0.5, 1.])).unwrap();
+    assert!(circle.derivative_at(&[0.3], &[200]).is_err());
+}
