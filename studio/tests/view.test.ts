@@ -4,7 +4,7 @@ import type { Poles } from "../src/engine/protocol";
 import { Cameras } from "../src/view/cameras";
 import { Drag, pick, toPixels } from "../src/view/drag";
 import { type Handle, handledCells, MANY_POLES } from "../src/view/handles";
-import { decimalStep, netEdges, roundStep, toBook, toScreenSpace } from "../src/view/space";
+import { decimalStep, netEdges, roundStep, Space } from "../src/view/space";
 
 const UNIT = new Box3(new Vector3(-1, -1, -1), new Vector3(1, 1, 1));
 
@@ -15,10 +15,18 @@ function square(): Cameras {
 }
 
 describe("space", () => {
-  it("mirrors z and nothing else, both ways", () => {
-    expect(toScreenSpace([1, 2, 3]).toArray()).toEqual([1, 2, -3]);
-    expect(toBook(toScreenSpace([1, 2, 3]))).toEqual([1, 2, 3]);
-    expect(Object.is(toBook(new Vector3())[2], 0)).toBe(true);
+  it("mirrors z, or exchanges y and z, both ways and by its matrix", () => {
+    const space = new Space();
+    const pictures = { y: [1, 2, -3], z: [1, 3, 2] };
+    for (const up of ["y", "z"] as const) {
+      space.up = up;
+      const picture = space.toPicture([1, 2, 3]);
+      expect(picture.toArray()).toEqual(pictures[up]);
+      expect(space.toSheet(picture)).toEqual([1, 2, 3]);
+      expect(new Vector3(1, 2, 3).applyMatrix4(space.matrix()).toArray()).toEqual(pictures[up]);
+      expect(space.matrix().determinant()).toBe(-1);
+      expect(Object.is(space.toSheet(new Vector3())[2], 0)).toBe(true);
+    }
   });
 
   it("rounds steps to 1, 2, 5 and to powers of ten", () => {
@@ -39,7 +47,7 @@ describe("the views of the book", () => {
     const cameras = square();
     cameras.look(view, UNIT);
     cameras.active.updateMatrixWorld();
-    const at = toPixels(toScreenSpace(book), cameras, 800, 800);
+    const at = toPixels(cameras.space.toPicture(book), cameras, 800, 800);
     return [Math.sign(Math.round(at.x - 400)), Math.sign(Math.round(400 - at.y))];
   };
 
@@ -73,10 +81,10 @@ describe("dragging", () => {
   cameras.active.updateMatrixWorld();
 
   it("moves in the plane that faces the viewer", () => {
-    const start = toScreenSpace([0.1, 0.2, 0.3]);
+    const start = cameras.space.toPicture([0.1, 0.2, 0.3]);
     const grip = start.clone().project(cameras.active);
     const drag = new Drag(start, cameras, new Vector2(grip.x, grip.y));
-    const to = toBook(drag.to(new Vector2(grip.x + 0.1, grip.y), false));
+    const to = cameras.space.toSheet(drag.to(new Vector2(grip.x + 0.1, grip.y), false));
     expect(to[0]).toBeGreaterThan(0.1);
     expect(to[1]).toBeCloseTo(0.2, 12);
     expect(to[2]).toBeCloseTo(0.3, 12);

@@ -72,6 +72,13 @@ fn sheet_of(name: &str, forms: &[Named]) -> Result<Sheet> {
     for (at, named) in cells.iter().zip(forms) {
         document.set(*at, &literal(&named.form));
     }
+    if Format::of_name(name) == Ok(Format::Bpt) {
+        // Patches of this format describe things that stand on the axis z.
+        let standing = [("view", "PERSPECTIVE"), ("up", "z")];
+        document.set_camera(
+            standing.map(|(key, value)| (key.to_owned(), value.into())).into_iter().collect(),
+        )?;
+    }
     let stem = name.rsplit_once('.').map_or(name, |(stem, _)| stem);
     document.set_title("", stem)?;
     if let ([first, .., last], Some(all)) = (cells.as_slice(), Address::new(2, 1)) {
@@ -135,6 +142,7 @@ mod tests {
         let update = engine.import("Two.bpt", bytes).unwrap();
         assert!(update.whole);
         assert_eq!(update.title, "Two");
+        assert_eq!(update.camera.unwrap()["up"], "z");
         assert_eq!(update.drawings.len(), 1, "{:?}", update.undrawn);
         let glb = engine.export("glb", "two").unwrap();
         assert_eq!(&glb[0].bytes[..4], b"glTF");

@@ -103,6 +103,8 @@ export interface Drawing {
 /** Where the viewer stands; what is absent is fitted to the forms. */
 export interface Camera {
   view?: ViewName;
+  /** The axis that stands upright, `y` when absent. */
+  up?: "y" | "z";
   position?: [number, number, number] | null;
   target?: [number, number, number] | null;
   /** Without perspective the picture shows `1 / zoom` across. */

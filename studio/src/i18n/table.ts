@@ -67,6 +67,7 @@ export const TABLE = {
   viewPERSPECTIVEshort: { en: "Persp.", fr: "Persp." },
   fit: { en: "Fit everything (F)", fr: "Tout cadrer (F)" },
   handles: { en: "Show the poles that can be dragged", fr: "Montrer les pôles déplaçables" },
+  upright: { en: "Axis z upright, as in many models", fr: "Axe z vertical, comme dans beaucoup de modèles" },
   snap: { en: "Snap poles to a grid", fr: "Aimanter les pôles à une grille" },
   axes: { en: "Show the axes", fr: "Montrer les axes" },
   nothingDrawn: { en: "No cell is drawn yet. Select a form and switch it on.", fr: "Aucune cellule n’est dessinée. Choisir une forme et l’allumer." },

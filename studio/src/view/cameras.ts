@@ -1,15 +1,6 @@
 import { Box3, OrthographicCamera, PerspectiveCamera, Sphere, Vector3 } from "three";
 import type { Camera, ViewName } from "../engine/protocol";
-import { toBook, toScreenSpace, type Triple } from "./space";
-
-/** Where each view looks from, in the book's coordinates. */
-const DIRECTIONS: Record<ViewName, Triple> = {
-  OX: [1, 0, 0],
-  OY: [0, 1, 0],
-  OZ: [0, 0, -1],
-  AXO: [1, 1, -1],
-  PERSPECTIVE: [0.7, 1.3, -1.1],
-};
+import { Space } from "./space";
 
 /** The vertical angle of the book's square pictures, in degrees. */
 const ANGLE = 53.13;
@@ -20,6 +11,7 @@ export class Cameras {
   readonly perspective = new PerspectiveCamera(ANGLE, 1, 0.001, 1000);
   readonly orthographic = new OrthographicCamera(-1, 1, 1, -1, -1000, 1000);
   readonly target = new Vector3();
+  readonly space = new Space();
   view: ViewName = "AXO";
   private aspect = 1;
   /** Half of what the orthographic camera shows, along the shorter side. */
@@ -37,7 +29,7 @@ export class Cameras {
   /** Turns to a named view and shows the whole of `box`. */
   look(view: ViewName, box: Box3): void {
     this.view = view;
-    this.frame(toScreenSpace(DIRECTIONS[view]).normalize(), box);
+    this.frame(this.space.direction(view), box);
   }
 
   /** Shows the whole of `box` from the present direction. */
@@ -57,13 +49,14 @@ export class Cameras {
 
   /** Takes over a camera of the sheet; what it leaves open is fitted to `box`. */
   restore(camera: Camera, box: Box3): void {
+    // `box` lies in the picture, whose upright axis the caller has set: see `Stage.stand`.
     this.look(camera.view ?? "AXO", box);
     const zoom = camera.zoom ?? 0;
-    const aim = camera.target ? toScreenSpace(camera.target) : this.target.clone();
+    const aim = camera.target ? this.space.toPicture(camera.target) : this.target.clone();
     const away = this.active.position.clone().sub(this.target);
     if (zoom > 0 && this.view === "PERSPECTIVE") away.divideScalar(zoom);
     this.target.copy(aim);
-    this.place(camera.position ? toScreenSpace(camera.position) : aim.clone().add(away));
+    this.place(camera.position ? this.space.toPicture(camera.position) : aim.clone().add(away));
     if (zoom > 0) this.half = 0.5 / zoom;
     this.project();
   }
@@ -72,8 +65,9 @@ export class Cameras {
     const shown = this.half / this.orthographic.zoom;
     return {
       view: this.view,
-      position: toBook(this.active.position),
-      target: toBook(this.target),
+      up: this.space.up,
+      position: this.space.toSheet(this.active.position),
+      target: this.space.toSheet(this.target),
       zoom: this.view === "PERSPECTIVE" ? null : 0.5 / shown,
     };
   }

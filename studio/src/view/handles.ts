@@ -12,9 +12,9 @@ import {
 } from "three";
 import type { Address, Pole, Poles } from "../engine/protocol";
 import type { Store } from "../store";
-import { netEdges, toScreenSpace } from "./space";
+import { netEdges, type Space } from "./space";
 
-/** A pole that can be dragged, and where it is in screen space. */
+/** A pole that can be dragged, and where it is in the picture. */
 export interface Handle {
   address: Address;
   pole: Pole;
@@ -45,7 +45,10 @@ export class Handles {
   private accent = "#1f6f78";
   private paper = "#ffffff";
 
-  constructor(private readonly store: Store) {}
+  constructor(
+    private readonly store: Store,
+    private readonly space: Space,
+  ) {}
 
   get all(): readonly Handle[] {
     return this.handles;
@@ -65,7 +68,7 @@ export class Handles {
     for (const net of handledCells(this.store.poles.values(), selected)) {
       const own = net.address === selected;
       const handles = net.poles.flatMap((pole) =>
-        pole.position ? [{ address: net.address, pole, at: toScreenSpace(pole.position) }] : [],
+        pole.position ? [{ address: net.address, pole, at: this.space.toPicture(pole.position) }] : [],
       );
       this.handles.push(...handles);
       this.addDots(handles.map((handle) => handle.at), own);
@@ -116,7 +119,7 @@ export class Handles {
     for (const [a, b] of netEdges(net.orders)) {
       const from = net.poles[a]?.position;
       const to = net.poles[b]?.position;
-      if (from && to) corners.push(...toScreenSpace(from).toArray(), ...toScreenSpace(to).toArray());
+      if (from && to) corners.push(...this.space.toPicture(from).toArray(), ...this.space.toPicture(to).toArray());
     }
     const geometry = new BufferGeometry();
     geometry.setAttribute("position", new Float32BufferAttribute(corners, 3));

@@ -3,7 +3,7 @@ import type { Session } from "../session";
 import { Drag, pick, toClip, toPixels } from "./drag";
 import type { Handle, Handles } from "./handles";
 import type { PolePopup } from "./popup";
-import { decimalStep, roundStep, toBook } from "./space";
+import { decimalStep, roundStep } from "./space";
 import type { Stage } from "./stage";
 
 /** The snapping grid is about this many pixels wide. */
@@ -114,7 +114,7 @@ export class PoleDrag {
 
   private request(gesture: Gesture, to: Vector3): Parameters<Session["drag"]>[0] {
     const { address, pole } = gesture.handle;
-    return { address, index: pole.index, to: toBook(to), step: gesture.step };
+    return { address, index: pole.index, to: this.stage.cameras.space.toSheet(to), step: gesture.step };
   }
 
   /** Shows the coordinates of the dragged pole beside it, as the kernel has written them. */

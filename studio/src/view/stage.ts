@@ -15,14 +15,15 @@ import type { Drawing } from "../engine/protocol";
 import { Axes } from "./axes";
 import { Cameras } from "./cameras";
 import { dispose, makeDrawing } from "./drawings";
+import type { Up } from "./space";
 
 /** The three.js scene: drawings of cells, axes, lights, cameras. Draws only when something changed. */
 export class Stage {
   readonly cameras = new Cameras();
   readonly controls: OrbitControls;
-  /** Holds everything in the book's coordinates; its mirror makes them right-handed. */
+  /** Holds everything in the coordinates of the sheet, and turns it into the picture. */
   readonly world = new Group();
-  /** Holds what is placed in screen space. */
+  /** Holds what is placed in the picture. */
   readonly overlay = new Group();
   private readonly renderer: WebGLRenderer;
   private readonly scene = new Scene();
@@ -37,7 +38,8 @@ export class Stage {
     this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: false });
     this.renderer.toneMapping = NoToneMapping;
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
-    this.world.scale.z = -1;
+    this.world.matrixAutoUpdate = false;
+    this.stand("y");
     this.world.add(this.axes.group);
     this.scene.add(this.world, this.overlay);
     this.addLights();
@@ -47,6 +49,13 @@ export class Stage {
     this.controls.addEventListener("change", () => this.invalidate());
     new ResizeObserver(() => this.resize()).observe(canvas.parentElement ?? canvas);
     this.resize();
+  }
+
+  /** Chooses the axis that stands upright. */
+  stand(up: Up): void {
+    this.cameras.space.up = up;
+    this.world.matrix.copy(this.cameras.space.matrix());
+    this.world.updateMatrixWorld(true);
   }
 
   /** Asks for a new picture at the next chance. */
@@ -85,7 +94,7 @@ export class Stage {
     return this.drawings.keys();
   }
 
-  /** The box around everything drawn, in screen space. */
+  /** The box around everything drawn, in the picture. */
   bounds(): Box3 {
     this.world.updateMatrixWorld();
     const box = new Box3();

@@ -46,6 +46,7 @@ export class Thumbnails {
     const stage = this.ready();
     for (const address of [...stage.drawn]) stage.put(address, undefined);
     for (const drawing of update.drawings) stage.put(drawing.address, drawing);
+    stage.stand(update.camera?.up ?? "y");
     stage.cameras.restore(update.camera ?? {}, stage.bounds());
     stage.setGround(getComputedStyle(this.host).backgroundColor);
     stage.cameraChanged();

@@ -11,11 +11,14 @@ export interface ToolEvents {
   axes(on: boolean): void;
   handles(on: boolean): void;
   snap(on: boolean): void;
+  /** Whether the axis z stands upright. */
+  upright(on: boolean): void;
 }
 
 /** The small controls that float over the view. */
 export class ViewTools {
   private readonly buttons = new Map<ViewName, HTMLButtonElement>();
+  private readonly upright: HTMLButtonElement;
   readonly root: HTMLElement;
 
   constructor(events: ToolEvents) {
@@ -30,6 +33,7 @@ export class ViewTools {
       this.buttons.set(view, button);
       views.append(button);
     }
+    this.upright = toggle("upright", "upright", false, (on) => events.upright(on));
     const fit = plain("fit", "fit", () => events.fit());
     this.root = el(
       "div",
@@ -39,11 +43,16 @@ export class ViewTools {
         "div",
         { class: "segmented" },
         fit,
+        this.upright,
         toggle("axes", "axes", true, (on) => events.axes(on)),
         toggle("handles", "handles", true, (on) => events.handles(on)),
         toggle("snap", "snap", false, (on) => events.snap(on)),
       ),
     );
+  }
+
+  showUpright(on: boolean): void {
+    this.upright.setAttribute("aria-pressed", String(on));
   }
 
   /** Marks the view that is on. */

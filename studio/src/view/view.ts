@@ -8,6 +8,7 @@ import { toClip } from "./drag";
 import { Handles } from "./handles";
 import { PolePopup } from "./popup";
 import { PoleDrag } from "./poledrag";
+import type { Up } from "./space";
 import { Stage } from "./stage";
 import { ViewTools } from "./tools";
 
@@ -35,7 +36,7 @@ export class View {
   constructor(private readonly session: Session) {
     const { store } = session;
     this.stage = new Stage(this.canvas);
-    this.handles = new Handles(store);
+    this.handles = new Handles(store, this.stage.cameras.space);
     this.stage.overlay.add(this.handles.group);
     this.drag = new PoleDrag(this.canvas, this.stage, this.handles, session, this.popup, this.label);
     this.tools = new ViewTools({
@@ -43,6 +44,7 @@ export class View {
       fit: () => this.fit(),
       axes: (on) => this.stage.showAxes(on),
       handles: (on) => this.showHandles(on),
+      upright: (on) => this.stand(on ? "z" : "y"),
       snap: (on) => (this.drag.snap = on),
     });
     this.root.append(this.tools.root);
@@ -93,8 +95,17 @@ export class View {
     this.stage.invalidate();
   }
 
+  private stand(up: Up): void {
+    this.stage.stand(up);
+    this.handles.rebuild();
+    this.look(this.stage.cameras.view);
+  }
+
   private restore(camera: Camera): void {
     this.untouched = !camera.position;
+    this.stage.stand(camera.up ?? "y");
+    this.tools.showUpright(camera.up === "z");
+    this.handles.rebuild();
     this.stage.cameras.restore(camera, this.stage.bounds());
     this.stage.cameraChanged();
     this.tools.show(this.stage.cameras.view);
@@ -106,7 +117,7 @@ export class View {
     this.tools.show(view);
     if (keep) {
       this.untouched = true;
-      void this.session.setCamera({ view, position: null, target: null, zoom: null });
+      void this.session.setCamera({ view, up: this.stage.cameras.space.up });
     }
   }
 
