@@ -25,6 +25,7 @@ __all__ = [
     "_read_forms",
     "_write_forms",
     "bernstein",
+    "cap",
     "combine",
     "explain",
     "fit",
@@ -37,6 +38,7 @@ __all__ = [
     "pascal",
     "polyline",
     "segment",
+    "set_cap",
     "stack",
     "tile",
 ]
@@ -204,6 +206,8 @@ class Sheet:
     @staticmethod
     def _restore(text: str, exact: bool) -> Sheet: ...
 
+def cap() -> int: ...
+def set_cap(bytes: int) -> None: ...
 def _draw_forms(forms: object, look: object) -> list[bytes]: ...
 def _read_forms(name: str, bytes: bytes) -> list[tuple[str | None, Form]]: ...
 def _write_forms(name: str, forms: object) -> bytes: ...

@@ -6,6 +6,7 @@
 mod arguments;
 mod arithmetic;
 mod arrays;
+mod cap;
 mod columns;
 mod drawing;
 mod errors;
@@ -27,6 +28,8 @@ mod vectors;
 /// The compiled half of the package `pforms`.
 #[pyo3::pymodule]
 mod _pforms {
+    #[pymodule_export]
+    use crate::cap::{cap, set_cap};
     #[pymodule_export]
     use crate::drawing::_draw_forms;
     #[pymodule_export]

@@ -276,3 +276,19 @@ def test_points_agree_after_every_operator(make, rng):
     u, v = rng.uniform(0, 1, (2, 20))
     for same in (form.elevate(2), form.stretch(0, 1), form.transpose().transpose()):
         np.testing.assert_allclose(same(u, v), at(form.homogeneous, u, v), rtol=1e-12)
+
+
+def test_the_cap_can_be_changed(make):
+    form, before = make(3), pf.cap()
+    try:
+        pf.set_cap(10**4)
+        assert pf.cap() == 10**4
+        with pytest.raises(pf.LimitError, match="the cap is 10 kB"):
+            form.grid(1000)
+        pf.set_cap(10**5)
+        assert form.grid(1000).shape == (1000, 3)
+        for wrong in (0, -1, 0.5):
+            with pytest.raises(pf.DomainError, match="bytes: received"):
+                pf.set_cap(wrong)
+    finally:
+        pf.set_cap(before)
