@@ -62,11 +62,13 @@ export class Session {
 
   /** Computes in slices, so that newer wishes are heard between them. */
   private async proceed(): Promise<void> {
+    const release = this.client.hold();
     for (;;) {
       const update = this.halted ? null : await this.ask("proceed");
       if (update) this.store.apply(update);
       if (!update?.pending) break;
     }
+    release();
     this.proceeding = null;
   }
 

@@ -25,7 +25,8 @@ export class EngineClient {
   private port: Port;
   private next = 1;
   private readonly waiting = new Map<number, Waiting>();
-  /** Called when calls begin or end, with the number still under way. */
+  private held = 0;
+  /** Called when work begins or ends, with the number of calls and holds still under way. */
   onBusy: (count: number) => void = () => undefined;
 
   /** Called after a worker was replaced by a fresh one, which knows no sheet yet. */
@@ -35,11 +36,25 @@ export class EngineClient {
     this.port = this.start();
   }
 
+  /** Work of several calls begins; it ends when the answer is called. */
+  hold(): () => void {
+    this.held += 1;
+    this.tell();
+    return () => {
+      this.held -= 1;
+      this.tell();
+    };
+  }
+
+  private tell(): void {
+    this.onBusy(this.waiting.size + this.held);
+  }
+
   call<M extends Method>(method: M, ...args: Arguments<M>): Promise<Answer<M>> {
     const id = this.next++;
     return new Promise<Answer<M>>((resolve, reject) => {
       this.waiting.set(id, { resolve: resolve as (value: unknown) => void, reject });
-      this.onBusy(this.waiting.size);
+      this.tell();
       this.port.postMessage({ id, method, args } satisfies Request);
     });
   }
@@ -51,7 +66,7 @@ export class EngineClient {
     this.waiting.clear();
     this.port = this.start();
     for (const call of lost) call.reject(new EngineFailure(reason));
-    this.onBusy(0);
+    this.tell();
     this.onLost(reason);
   }
 
@@ -69,7 +84,7 @@ export class EngineClient {
     const call = this.waiting.get(response.id);
     if (!call) return;
     this.waiting.delete(response.id);
-    this.onBusy(this.waiting.size);
+    this.tell();
     if ("value" in response) call.resolve(response.value);
     else if (response.failure.fatal) {
       call.reject(new EngineFailure(response.failure));

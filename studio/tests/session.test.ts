@@ -1,0 +1,118 @@
+import { beforeEach, describe, expect, it, vi } from "vitest";
+import { EngineClient, type Port } from "../src/engine/client";
+import type { Request, Response, Update } from "../src/engine/protocol";
+import { Session } from "../src/session";
+import { Store } from "../src/store";
+
+function update(part: Partial<Update> = {}): Update {
+  return {
+    title: "",
+    cells: [],
+    removed: [],
+    drawings: [],
+    hidden: [],
+    poles: [],
+    camera: null,
+    notes: null,
+    canUndo: false,
+    canRedo: false,
+    whole: false,
+    pending: 0,
+    undrawn: [],
+    ...part,
+  };
+}
+
+/** A kernel that answers at once, by a table; it remembers what it was asked. */
+class QuickPort implements Port {
+  onmessage: ((event: MessageEvent) => void) | null = null;
+  onerror: ((event: ErrorEvent) => void) | null = null;
+
+  constructor(
+    private readonly asked: string[],
+    private readonly answer: (request: Request) => Response,
+  ) {}
+
+  postMessage(message: unknown): void {
+    const request = message as Request;
+    this.asked.push([request.method, ...request.args.slice(-1)].join(" "));
+    queueMicrotask(() => this.onmessage?.({ data: this.answer(request) } as MessageEvent));
+  }
+
+  terminate(): void {
+    this.onmessage = null;
+  }
+}
+
+function session(answer: (request: Request) => unknown): {
+  asked: string[];
+  session: Session;
+  errors: string[];
+  ports: QuickPort[];
+} {
+  const asked: string[] = [];
+  const errors: string[] = [];
+  const ports: QuickPort[] = [];
+  const client = new EngineClient(() => {
+    const port = new QuickPort(asked, (request) => {
+      const value = answer(request);
+      const refused = typeof value === "object" && value !== null && "fatal" in value;
+      return refused ? ({ id: request.id, failure: value } as Response) : { id: request.id, value };
+    });
+    ports.push(port);
+    return port;
+  });
+  const notices = { error: (_: string, message: string) => void errors.push(message), info: vi.fn(), kept: vi.fn() };
+  return { asked, errors, ports, session: new Session(new Store(), client, notices) };
+}
+
+beforeEach(() => {
+  const memory = new Map<string, string>();
+  const storage = { getItem: (key: string) => memory.get(key) ?? null, setItem: memory.set.bind(memory) };
+  vi.stubGlobal("sessionStorage", storage);
+  vi.stubGlobal("localStorage", storage);
+});
+
+describe("a session", () => {
+  it("proceeds until nothing is pending", async () => {
+    let pending = 3;
+    const { asked, session: one } = session(({ method }) =>
+      method === "snapshot" ? "kept" : update({ pending: method === "proceed" ? --pending : pending }),
+    );
+    await one.change("set", [["A1", "1"]]);
+    await vi.waitFor(() => expect(one.store.pending).toBe(0));
+    expect(asked.filter((call) => call.startsWith("proceed"))).toHaveLength(3);
+  });
+
+  it("keeps nothing in the middle of a drag, and the sheet after it", async () => {
+    const { asked, session: one } = session(({ method }) => (method === "snapshot" ? "kept" : update()));
+    const move = { address: "A1", index: [0], to: [0, 0, 0], step: 0.1 };
+    void one.beginDrag(move);
+    for (let step = 0; step < 20; step++) one.drag(move);
+    await one.endDrag(move);
+    await one.settled();
+    const moves = asked.filter((call) => call.startsWith("movePole"));
+    expect(moves[0]).toBe("movePole begin");
+    expect(moves.at(-1)).toBe("movePole end");
+    expect(moves.length).toBeLessThan(6);
+    expect(asked.filter((call) => call.startsWith("snapshot"))).toHaveLength(1);
+    expect(asked.at(-1)).toBe("snapshot");
+  });
+
+  it("tells a refusal and changes nothing", async () => {
+    const { errors, session: one } = session(() => ({ message: "no such cell", hint: null, fatal: false }));
+    expect(await one.change("set", [["?", "1"]])).toBe(false);
+    expect(errors).toEqual(["no such cell"]);
+  });
+
+  it("gives a new worker the sheet as it was after the last good change", async () => {
+    const { asked, errors, ports, session: one } = session(({ method }) =>
+      method === "snapshot" ? "kept" : update({ title: method === "resume" ? "back" : "" }),
+    );
+    await one.open("pfs = 1");
+    ports[0]!.onerror!({ message: "unreachable" } as ErrorEvent);
+    await vi.waitFor(() => expect(one.store.title).toBe("back"));
+    expect(asked.slice(-2)).toEqual(["setLanguage en", "resume kept"]);
+    expect(errors[0]).toContain("unreachable");
+  });
+});
