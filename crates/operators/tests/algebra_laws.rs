@@ -120,9 +120,6 @@ fn elevation_leaves_the_form_unchanged_and_composes() {
 #[test]
 fn reduction_undoes_elevation_with_bound_zero() {
     for (f, mut random) in forms(1..=3) {
-        if f.weights().iter().any(|w| *w <= zero()) {
-            continue;
-        }
         let by: Vec<usize> = (0..f.axes()).map(|_| random.size(0, 3)).collect();
         let reduction = reduce(&elevate(&f, &by).unwrap(), &by).unwrap();
         assert_eq!(reduction.form, f);
@@ -165,6 +162,33 @@ fn reduction_stays_within_its_bound_and_is_the_least_squares_best() {
             assert_eq!(product, zero());
         }
     }
+}
+
+#[test]
+fn the_bound_of_a_reduction_has_the_scale_of_the_form() {
+    let points = [0., 0., 1., 3., 2., -1., 3., 0.];
+    let weights = [1., 0.7, 0.3, 2.];
+    let plain: Form = Form::from_points(&[4], 2, &points, Some(&weights)).unwrap();
+    let bound = reduce(&plain, &[1]).unwrap().bound;
+    for power in [-560, -40, 40, 500] {
+        let scale = 2_f64.powi(power);
+        let weighty = plain.map_scalar(|x| x * scale).unwrap();
+        assert_eq!(reduce(&weighty, &[1]).unwrap().bound, bound, "weights and all by 2^{power}");
+        let far = points.map(|x| x * scale);
+        let far: Form = Form::from_points(&[4], 2, &far, Some(&weights)).unwrap();
+        assert_eq!(reduce(&far, &[1]).unwrap().bound, bound * scale, "points by 2^{power}");
+    }
+}
+
+#[test]
+fn weights_of_both_signs_reduce_where_the_weight_has_no_zero() {
+    let points = [0., 0., 1., 1., 2., 0.];
+    let positive: Form = Form::from_points(&[3], 2, &points, Some(&[1., -0.5, 1.])).unwrap();
+    let reduction = reduce(&elevate(&positive, &[2]).unwrap(), &[2]).unwrap();
+    assert!(reduction.bound < 1e-11, "{}", reduction.bound);
+    let zero_inside: Form = Form::from_points(&[3], 2, &points, Some(&[1., -1., 1.])).unwrap();
+    let error = reduce(&zero_inside, &[1]).unwrap_err();
+    assert!(error.to_string().contains("vanishes in the window"), "{error}");
 }
 
 #[test]

@@ -8,7 +8,7 @@
 
 use pforms_kernel::{Error, Form, Matrix, Result, Scalar, pascal_row};
 
-use super::elevate;
+use super::{elevate, subdivide};
 
 /// A form of lower orders and a bound on its distance from the original.
 #[derive(Clone, Debug, PartialEq)]
@@ -26,8 +26,8 @@ pub struct Reduction<S = f64> {
 /// convex hull of the difference, so it is rigorous over the whole window; in `f64` it is widened
 /// by the rounding of its own computation. End points may move, within the bound.
 ///
-/// Errors: `Shape` when an order would fall below 1; `Degenerate` when weights of the form or its
-/// reduction are not all of one sign, since then no distance can be promised.
+/// Errors: `Shape` when an order would fall below 1; `Degenerate` when the weight of the form or of
+/// its reduction vanishes in the window, since then no distance can be promised.
 ///
 /// ```
 /// use pforms_kernel::Form;
@@ -102,8 +102,10 @@ fn lowered<S: Scalar>(raised: &[S]) -> Vec<S> {
     poles
 }
 
-/// `|X/W − Y/V| ≤ (max|Xᵢ − Yᵢ| + max|y|·max|Wᵢ − Vᵢ|) / min Wᵢ`, all over the hull of the poles,
+/// `|X/W − Y/V| ≤ (max|Xᵢ − Yᵢ| + max|y|·max|Wᵢ − Vᵢ|) / min|W|`, all over the hull of the poles,
 /// where `y = Y/V` is a point of the reduced form.
+///
+/// Numerator and denominator are homogeneous: scaling all poles and weights changes nothing.
 fn distance_bound<S: Scalar>(form: &Form<S>, raised: &Form<S>, reduced: &Form<S>) -> Result<f64> {
     let ambient = form.ambient();
     let (mut shift, mut weight_shift) = (0.0_f64, 0.0_f64);
@@ -114,18 +116,25 @@ fn distance_bound<S: Scalar>(form: &Form<S>, raised: &Form<S>, reduced: &Form<S>
         shift = shift.max(norm(&gaps[..ambient]));
         weight_shift = weight_shift.max(gaps[ambient].abs());
     }
-    let reach = largest_coordinates(reduced) / least_weight(reduced)?;
-    let bound = (shift + reach * weight_shift) / least_weight(form)?;
-    Ok(bound * (1.0 + 8.0 * f64::EPSILON) + rounding_of(form))
+    let (rounding, largest) = (rounding_of(form), largest_coordinates(reduced));
+    shift += rounding * largest;
+    if form.is_rational() {
+        weight_shift += rounding * largest_weight(reduced);
+    }
+    if shift == 0.0 && weight_shift == 0.0 {
+        return Ok(0.0);
+    }
+    let reach = largest / least_weight(reduced)?;
+    Ok((shift + reach * weight_shift) / least_weight(form)? * (1.0 + 8.0 * f64::EPSILON))
 }
 
-/// What the rounding of the raised poles can hide: nothing in exact arithmetic.
+/// What the rounding of the raised poles can hide, of the largest pole: nothing in exact arithmetic.
 fn rounding_of<S: Scalar>(form: &Form<S>) -> f64 {
     if S::EXACT {
         return 0.0;
     }
     let steps: usize = form.orders().iter().map(|order| 8 * order).sum();
-    f64::EPSILON * steps as f64 * largest_coordinates(form)
+    f64::EPSILON * steps as f64
 }
 
 fn largest_coordinates<S: Scalar>(form: &Form<S>) -> f64 {
@@ -137,20 +146,56 @@ fn largest_coordinates<S: Scalar>(form: &Form<S>) -> f64 {
     lengths.fold(0.0, f64::max)
 }
 
-/// The smallest weight in absolute value, when all have one sign.
+fn largest_weight<S: Scalar>(form: &Form<S>) -> f64 {
+    form.weights().iter().map(|weight| weight.to_f64().abs()).fold(0.0, f64::max)
+}
+
+/// How often the weight is halved in search of a bound away from 0, and the poles this may make.
+const HALVINGS: u32 = 6;
+const MOST_POLES: usize = 1 << 18;
+
+/// A number above 0 that the weight nowhere in the window falls below in absolute value.
+///
+/// The least of its poles will do when all have one sign; else those of its parts.
 fn least_weight<S: Scalar>(form: &Form<S>) -> Result<f64> {
     let weights: Vec<f64> = form.weights().iter().map(S::to_f64).collect();
-    let positive = weights.iter().all(|w| *w > 0.0);
-    if positive || weights.iter().all(|w| *w < 0.0) {
-        return Ok(weights.iter().fold(f64::INFINITY, |least, w| least.min(w.abs())));
+    let slack = f64::EPSILON * largest_weight(form) * rounding_steps(form);
+    let weight = Form::from_points(form.orders(), 1, &weights, None)?;
+    for halvings in 0..=HALVINGS {
+        let parts = 1_usize.checked_shl(halvings * form.axes() as u32).unwrap_or(usize::MAX);
+        if parts.saturating_mul(weights.len()) > MOST_POLES {
+            break;
+        }
+        let net = subdivide(&weight, &vec![halvings; form.axes()])?;
+        let poles = net.net().homogeneous().chunks_exact(2).map(|pole| pole[0]);
+        let (low, high) = poles
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), w| (low.min(w), high.max(w)));
+        let least = low.max(-high);
+        if halvings == 0 && least > 0.0 {
+            return Ok(least);
+        }
+        if least > slack {
+            return Ok(least - slack);
+        }
     }
     Err(Error::degenerate(
         "form",
-        format!("weights of both signs or 0: {weights:?}"),
-        "weights of one sign, without which no distance can be promised",
+        "a weight that vanishes in the window, or nearly",
+        "a weight without a zero there: across it no distance can be promised",
     ))
 }
 
+/// Roundings that a pole of a part may have seen, with room to spare.
+fn rounding_steps<S: Scalar>(form: &Form<S>) -> f64 {
+    let degrees: usize = form.orders().iter().sum();
+    (HALVINGS as usize * degrees) as f64
+}
+
+/// The length of a vector, whatever its scale.
 fn norm(vector: &[f64]) -> f64 {
-    vector.iter().map(|x| x * x).sum::<f64>().sqrt()
+    let largest = vector.iter().fold(0.0_f64, |largest, x| largest.max(x.abs()));
+    if largest == 0.0 || !largest.is_finite() {
+        return largest;
+    }
+    largest * vector.iter().map(|x| (x / largest).powi(2)).sum::<f64>().sqrt()
 }
