@@ -1,6 +1,6 @@
 //! What differs between floating and exact mode: reading, writing and the elementary functions.
 
-use pforms_kernel::{Error, Scalar};
+use pforms_kernel::{Error, Rational, Scalar};
 
 use crate::operator::{Call, Routine};
 use crate::{Elementary, Failure};
@@ -45,10 +45,11 @@ pub trait Arithmetic: Scalar {
     /// The number as a small whole number, if it is one.
     fn whole(&self) -> Option<i64>;
 
-    /// The nearest number of this arithmetic with the digits of a decimal literal.
+    /// The simple fraction that this number stands for.
     ///
-    /// `0.1` in `f64` becomes `1/10` in exact mode, not the binary fraction next to it.
-    fn to_exact(&self) -> pforms_kernel::Rational;
+    /// `0.1` in `f64` becomes `1/10` in exact mode and the quotient `1.0/3.0` becomes `1/3`, not the
+    /// binary fraction next to it.
+    fn to_exact(&self) -> Rational;
 
     /// May this number flow on?
     ///
@@ -112,8 +113,8 @@ impl Arithmetic for f64 {
         (libm::floor(*self) == *self && self.abs() <= 2f64.powi(53)).then_some(*self as i64)
     }
 
-    fn to_exact(&self) -> pforms_kernel::Rational {
-        pforms_kernel::Rational::read(&self.to_string()).unwrap_or_default()
+    fn to_exact(&self) -> Rational {
+        simplest(*self).unwrap_or_default()
     }
 
     fn check(&self) -> Result<(), Failure> {
@@ -126,6 +127,28 @@ impl Arithmetic for f64 {
 
     fn routine(call: &Call) -> Option<Routine<Self>> {
         Some(call.floating)
+    }
+}
+
+/// The first convergent of the continued fraction of `x` that is `x` once rounded.
+///
+/// Convergents are the best approximations for their denominators (Hardy and Wright, *An
+/// Introduction to the Theory of Numbers*, chapter X). `None` for what is not finite.
+fn simplest(x: f64) -> Option<Rational> {
+    let mut rest = Rational::from_f64(x)?;
+    let one = <Rational as Scalar>::one();
+    let zero = <Rational as Scalar>::zero();
+    let (mut last, mut above) = ((zero.clone(), one.clone()), (one, zero));
+    loop {
+        let whole = rest.floor();
+        let next = (&whole * &above.0 + last.0, &whole * &above.1 + last.1);
+        let convergent = &next.0 / &next.1;
+        rest -= whole;
+        if convergent.to_f64() == x || Scalar::is_zero(&rest) {
+            return Some(convergent);
+        }
+        rest = rest.recip();
+        (last, above) = (above, next);
     }
 }
 

@@ -105,8 +105,11 @@ fn elementary_functions_have_domains() {
 }
 
 #[test]
-fn numbers_become_exact_by_their_digits() {
-    assert_eq!(0.1.to_exact(), Rational::ratio(1, 10));
-    assert_eq!((1.0 / 3.0).to_exact().to_f64(), 1.0 / 3.0);
-    assert_eq!(1e-300.to_exact().to_f64(), 1e-300);
+fn numbers_become_the_simple_fractions_they_stand_for() {
+    for (x, n, d) in [(0.1, 1, 10), (1.0 / 3.0, 1, 3), (-22.0 / 7.0, -22, 7), (0.0, 0, 1)] {
+        assert_eq!(x.to_exact(), Rational::ratio(n, d));
+    }
+    for x in [1e-300, 5e-324, f64::MAX, 2_f64.sqrt(), 0.1 + 0.2] {
+        assert_eq!(x.to_exact().to_f64(), x);
+    }
 }
