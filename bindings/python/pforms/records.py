@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 if TYPE_CHECKING:
+    from collections.abc import Iterator, KeysView
+
     from numpy import float64
     from numpy.typing import NDArray
 
@@ -29,23 +31,53 @@ class Fit(NamedTuple):
     """Root of the mean square of these distances."""
 
 
-class Frame(dict[str, "NDArray[float64]"]):
+class Frame:
     """Named arrays, by key or as attributes; each has the shape of the parameters first.
+
+    It unpacks into the vectors of the frame: ``tangent, normal, binormal`` of a curve, ``tu, tv,
+    normal`` of a surface, ``tu, tv, tw`` of a volume.
 
     >>> import pforms as pf
     >>> frame = pf.Form([(0, 0), (1, 0), (2, 2)]).frame(0)
     >>> frame.tangent, frame["curvature"].item()
     (array([1., 0.]), 1.0)
+    >>> tangent, normal = frame
+    >>> normal is frame.normal
+    True
+    >>> sorted(dict(frame))
+    ['curvature', 'normal', 'point', 'speed', 'tangent']
     """
+
+    VECTORS = ("tangent", "tu", "tv", "tw", "normal", "binormal")
+    """Names of the vectors, in the order of unpacking."""
+
+    def __init__(self, named: dict[str, NDArray[float64]]) -> None:
+        self._named = named
+
+    def __getitem__(self, name: str) -> NDArray[float64]:
+        """The array of this name."""
+        return self._named[name]
 
     def __getattr__(self, name: str) -> NDArray[float64]:
         """The array of this name."""
-        try:
-            return self[name]
-        except KeyError:
-            known = ", ".join(self)
-            raise AttributeError(f"{name!r} is not in this frame: it has {known}") from None
+        named: dict[str, NDArray[float64]] = self.__dict__.get("_named", {})
+        if name in named:
+            return named[name]
+        known = ", ".join(named)
+        raise AttributeError(f"{name!r} is not in this frame: it has {known}")
 
-    def __reduce__(self) -> tuple[Any, ...]:
-        """Pickles as a class and its items."""
-        return type(self), (dict(self),)
+    def __iter__(self) -> Iterator[NDArray[float64]]:
+        """The vectors, in the order of :attr:`VECTORS`."""
+        return (self._named[name] for name in self.VECTORS if name in self._named)
+
+    def __contains__(self, name: object) -> bool:
+        """Tell whether there is an array of this name."""
+        return name in self._named
+
+    def __repr__(self) -> str:
+        """The names and their arrays."""
+        return f"Frame({self._named!r})"
+
+    def keys(self) -> KeysView[str]:
+        """The names; with them ``dict(frame)`` works."""
+        return self._named.keys()

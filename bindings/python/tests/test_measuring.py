@@ -40,7 +40,8 @@ def test_only_surfaces_in_space_have_normals(make):
 def test_frame_of_a_curve(make):
     curve, t = make(5), np.linspace(0.05, 0.95, 8).reshape(2, 4)
     frame = curve.frame(t)
-    assert set(frame) == {"point", "tangent", "normal", "binormal", "speed", "curvature", "torsion"}
+    names = {"point", "tangent", "normal", "binormal", "speed", "curvature", "torsion"}
+    assert set(frame.keys()) == names
     np.testing.assert_allclose(frame.point, curve(t))
     speed = curve.evaluate(t, derivative=1)
     np.testing.assert_allclose(frame.speed[..., None] * frame.tangent, speed, rtol=1e-10)
@@ -57,7 +58,7 @@ def test_kinds_of_normals(make):
     t = np.linspace(0, 1, 200)
     carried = curve.frame(t, kind="rotation-minimising").normal
     assert np.linalg.norm(np.diff(carried, axis=0), axis=1).max() < 0.5
-    assert set(curve.frame(t, kind="tangent")) >= {"point", "tangent", "speed"}
+    assert set(curve.frame(t, kind="tangent").keys()) >= {"point", "tangent", "speed"}
     assert "normal" not in curve.frame(t, kind="tangent")
     line = pf.Form([(0, 0, 0), (1, 1, 1)])
     with pytest.raises(pf.DegenerateError):
@@ -97,9 +98,15 @@ def test_frame_of_a_volume(make):
     np.testing.assert_allclose(frame.jacobian, np.linalg.det(np.stack(slopes, -1)), rtol=1e-9)
 
 
-def test_a_frame_is_a_dict_with_attributes(make):
+def test_a_frame_has_keys_attributes_and_unpacks(make):
     frame = make(4).frame([0.2, 0.4])
     assert frame.point is frame["point"]
+    tangent, normal, binormal = frame
+    assert tangent is frame.tangent
+    assert normal is frame.normal
+    assert binormal is frame.binormal
+    assert "point" in frame
+    assert "colour" not in frame
     with pytest.raises(AttributeError, match="it has point, tangent"):
         _ = frame.colour
     again = pickle.loads(pickle.dumps(frame))
