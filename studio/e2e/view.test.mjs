@@ -109,6 +109,25 @@ test("each view shows the forms, and the view is kept", async () => {
   await studio.close();
 });
 
+test("looking round is no step of the history", async () => {
+  const studio = await bench.visit();
+  await studio.type("C1", "1");
+  const before = (await studio.pixels()).text;
+  const box = await studio.page.locator(".view canvas").boundingBox();
+  await studio.drag({ x: box.x + 40, y: box.y + 600 }, { x: box.x + 160, y: box.y + 560 });
+  const turned = (await studio.pixels()).text;
+  assert.notEqual(turned, before);
+  await studio.page.click('[data-action="undo"]');
+  await studio.settled();
+  assert.equal(await studio.read("C1"), "");
+  assert.equal((await studio.pixels()).text, turned);
+  await studio.page.locator(".view canvas").focus();
+  await studio.page.keyboard.press("f");
+  await studio.settled();
+  assert.notEqual((await studio.pixels()).text, turned);
+  await studio.close();
+});
+
 test("the styles of a cell change the picture", async () => {
   const studio = await bench.visit();
   await studio.cell("A4").click();

@@ -3,7 +3,8 @@
 use pforms_catalogue::{Language, Value};
 use pforms_formula::Address;
 use pforms_kernel::Error;
-use pforms_sheet::{Cancel, Clip, Clock, Settings, Sheet, Snapshot, Target};
+use pforms_scene::Camera;
+use pforms_sheet::{Cancel, Clip, Clock, Edit, Settings, Sheet, Snapshot, Target, pfs};
 
 use crate::place::address;
 use crate::update::{Told, code};
@@ -29,6 +30,9 @@ pub struct Engine {
     pub(crate) sheet: Sheet,
     pub(crate) language: Language,
     told: Told,
+    /// Where the viewer stands now; looking round is no step of the history, so the sheet learns of
+    /// it only when it is written.
+    pub(crate) camera: Option<Settings>,
     clock: Option<Clock>,
 }
 
@@ -63,12 +67,14 @@ impl Engine {
 
     /// The sheet as a `.pfs` text.
     pub fn save(&self) -> String {
-        self.sheet.save()
+        self.with_camera(self.sheet.save())
     }
 
     /// The sheet with its history, as text to be kept. An open gesture ends.
     pub fn snapshot(&mut self) -> Answer<String> {
-        serde_json::to_string(&self.sheet.snapshot()).map_err(|error| self.damaged(&error))
+        let mut snapshot = self.sheet.snapshot();
+        snapshot.document = self.with_camera(snapshot.document);
+        serde_json::to_string(&snapshot).map_err(|error| self.damaged(&error))
     }
 
     /// Replaces the sheet by a kept one, history included.
@@ -161,7 +167,9 @@ impl Engine {
 
     /// Keeps where the viewer stands.
     pub fn set_camera(&mut self, camera: Settings) -> Answer<()> {
-        self.sheet.set_camera(camera).map_err(|error| self.refusal(error))
+        Camera::from_settings(&camera).map_err(|error| self.refusal(error))?;
+        self.camera = Some(camera);
+        Ok(())
     }
 
     /// Speaks another language from now on.
@@ -241,6 +249,7 @@ impl Engine {
 
     pub(crate) fn replace(&mut self, sheet: Sheet) -> Update {
         self.sheet = sheet;
+        self.camera = None;
         if let Some(clock) = self.clock {
             self.sheet.set_clock(clock);
         }
@@ -270,6 +279,17 @@ impl Engine {
                 to.get(axis).map_or(old, |new| poles::rounded(*new, Some(old), step))
             })
             .collect()
+    }
+
+    /// The text of a sheet with the present camera.
+    fn with_camera(&self, text: String) -> String {
+        match (&self.camera, pfs::read(&text)) {
+            (Some(settings), Ok(mut document)) => {
+                document.apply(Edit::Camera { settings: settings.clone() });
+                pfs::write(&document)
+            }
+            _ => text,
+        }
     }
 
     pub(crate) fn refusal(&self, error: Error) -> Problem {

@@ -36,7 +36,8 @@ impl Engine {
     pub fn export(&self, format: &str, stem: &str) -> Answer<Vec<Exported>> {
         let files = || {
             let format = Format::of_name(&format!("{stem}.{format}"))?;
-            let scene = scene_of(&self.sheet)?;
+            let camera = self.camera.as_ref().unwrap_or(self.sheet.document().camera());
+            let scene = scene_of(&self.sheet, camera)?;
             exported(format, stem, &scene)
         };
         files().map_err(|error| self.refusal(error))
@@ -44,8 +45,8 @@ impl Engine {
 }
 
 /// Every drawn cell that has a value, in the order of the sheet.
-fn scene_of(sheet: &Sheet) -> Result<Scene> {
-    let camera = Camera::from_settings(sheet.document().camera())?;
+fn scene_of(sheet: &Sheet, camera: &Settings) -> Result<Scene> {
+    let camera = Camera::from_settings(camera)?;
     let mut scene = Scene { camera, ..Scene::default() };
     for (at, settings) in sheet.document().shown() {
         if let Ok(shapes) = Shapes::in_value(sheet.value(at)) {
@@ -152,6 +153,17 @@ mod tests {
             ["two.obj", "two.mtl"]
         );
         assert!(engine.export("exe", "two").is_err());
+    }
+
+    #[test]
+    fn exact_forms_come_in_from_json() {
+        let form: Named =
+            Form::from_points(&[2], 1, &[0.1, 2.0], Some(&[1.0, 0.5])).unwrap().into();
+        let bytes = pforms_formats::write_forms(Format::Json, &[form]).unwrap();
+        let mut engine = Engine::new();
+        let update = engine.import("line.json", &bytes).unwrap();
+        assert_eq!(update.cells[0].info.source, "[(0.1,), (2; 0.5)]");
+        assert_eq!(update.drawings.len(), 1);
     }
 
     #[test]

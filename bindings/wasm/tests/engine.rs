@@ -90,6 +90,19 @@ fn a_snapshot_keeps_the_history() {
 }
 
 #[test]
+fn looking_round_is_kept_but_is_no_step() {
+    let mut engine = octant();
+    let camera = serde_json::json!({ "view": "AXO", "zoom": 0.5 });
+    engine.set_camera(camera.as_object().cloned().unwrap()).unwrap();
+    assert!(!engine.proceed().can_undo);
+    assert!(engine.save().contains("zoom = 0.5"));
+    let kept = engine.snapshot().unwrap();
+    assert_eq!(Engine::new().resume(&kept).unwrap().camera.unwrap()["view"], "AXO");
+    let wrong = serde_json::json!({ "view": "SIDEWAYS" });
+    assert!(engine.set_camera(wrong.as_object().cloned().unwrap()).is_err());
+}
+
+#[test]
 fn french_is_written_and_read_with_commas() {
     let mut engine = Engine::new();
     engine.set_language(Language::French);

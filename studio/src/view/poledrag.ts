@@ -82,7 +82,6 @@ export class PoleDrag {
     if (!handle) return;
     event.stopImmediatePropagation();
     this.popup.close();
-    this.canvas.focus({ preventScroll: true });
     this.canvas.setPointerCapture(event.pointerId);
     const pixel = this.stage.cameras.pixel(handle.at, this.canvas.clientHeight);
     const step = this.snap ? roundStep(pixel * SNAP_PIXELS) : decimalStep(pixel);

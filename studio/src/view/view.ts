@@ -32,6 +32,8 @@ export class View {
   private press: { x: number; y: number } | null = null;
   /** Until the viewer turns it, the view follows the size of what is drawn. */
   private untouched = true;
+  /** The camera the kernel was told of last. */
+  private remembered = "";
 
   constructor(private readonly session: Session) {
     const { store } = session;
@@ -109,6 +111,7 @@ export class View {
     this.stage.cameras.restore(camera, this.stage.bounds());
     this.stage.cameraChanged();
     this.tools.show(this.stage.cameras.view);
+    this.remembered = JSON.stringify(this.stage.cameras.state());
   }
 
   private look(view: ViewName, keep = true): void {
@@ -128,8 +131,12 @@ export class View {
   }
 
   private remember(): void {
+    const state = this.stage.cameras.state();
+    const text = JSON.stringify(state);
+    if (text === this.remembered) return;
+    this.remembered = text;
     this.untouched = false;
-    void this.session.setCamera(this.stage.cameras.state());
+    void this.session.setCamera(state);
   }
 
   private listen(): void {
