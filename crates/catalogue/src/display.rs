@@ -7,6 +7,9 @@ use crate::{Arithmetic, Language, Value};
 /// Items of a list that are written out.
 const SHOWN: usize = 6;
 
+/// Lists in lists that are written out; deeper ones only tell how long they are.
+const LEVELS: usize = 2;
+
 /// Characters of a number that a cell has room for.
 const ROOM: usize = 40;
 
@@ -31,7 +34,7 @@ impl<S: Arithmetic> Value<S> {
                 let word = pick(language, "not expanded", "non développée");
                 format!("{} · {}D · {word}", lazy.kind(), lazy.host().ambient())
             }
-            Self::List(items) => list(items, language),
+            Self::List(items) => list(items, language, LEVELS),
             Self::Record(entries) => {
                 let entry = |(name, value): &(crate::Words, Self)| {
                     format!("{}: {}", name.get(language), value.display(language))
@@ -107,10 +110,14 @@ fn point<S: Arithmetic>(form: &Form<S>) -> String {
     }
 }
 
-fn list<S: Arithmetic>(items: &[Value<S>], language: Language) -> String {
-    let mut shown: Vec<String> =
-        items.iter().take(SHOWN).map(|item| item.display(language)).collect();
-    if items.len() > SHOWN {
+fn list<S: Arithmetic>(items: &[Value<S>], language: Language, levels: usize) -> String {
+    let entry = |item: &Value<S>| match item {
+        Value::List(inner) => list(inner, language, levels - 1),
+        other => other.display(language),
+    };
+    let written = if levels == 0 { 0 } else { SHOWN };
+    let mut shown: Vec<String> = items.iter().take(written).map(entry).collect();
+    if items.len() > written {
         shown.push(format!("… ({})", items.len()));
     }
     format!("[{}]", shown.join(", "))

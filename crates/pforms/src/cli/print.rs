@@ -21,7 +21,10 @@ pub(crate) fn table(rows: &[Vec<String>]) -> Vec<String> {
         })
         .collect();
     let padded = |row: &Vec<String>| {
-        let cells = row.iter().zip(&widths).map(|(text, width)| format!("{text:width$}"));
+        let cells = row.iter().zip(&widths).map(|(text, width)| {
+            let missing = width - text.chars().count();
+            text.clone() + &" ".repeat(missing)
+        });
         cells.collect::<Vec<_>>().join("  ").trim_end().to_owned()
     };
     rows.iter().map(padded).collect()
@@ -33,5 +36,12 @@ mod tests {
     fn columns_line_up() {
         let row = |a: &str, b: &str| vec![a.to_owned(), b.to_owned()];
         assert_eq!(super::table(&[row("é", "x"), row("abc", "y")]), ["é    x", "abc  y"]);
+    }
+
+    #[test]
+    fn a_column_may_be_wider_than_a_format_allows() {
+        let wide = "x".repeat(70_000);
+        let rows = [vec![wide.clone(), "y".to_owned()], vec!["a".to_owned()]];
+        assert_eq!(super::table(&rows), [format!("{wide}  y"), "a".to_owned()]);
     }
 }
