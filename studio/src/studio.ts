@@ -25,6 +25,7 @@ export class Studio {
   readonly root: HTMLElement;
   private readonly store = new Store();
   private readonly toasts = new Toasts();
+  private readonly status: StatusBar;
   private readonly session: Session;
   private readonly sheet: Sheet;
   private readonly view: View | null;
@@ -37,7 +38,7 @@ export class Studio {
   constructor(start: () => EngineClient) {
     const client = start();
     this.thumbnails = new Thumbnails(start);
-    const status = new StatusBar(
+    this.status = new StatusBar(
       this.store,
       () => void this.session.stop(),
       (on) => this.root.classList.toggle("with-costs", on),
@@ -45,10 +46,10 @@ export class Studio {
     this.session = new Session(this.store, client, {
       error: (title, message, hint) => this.toasts.error(title, message, hint),
       info: (message) => this.toasts.info(message),
-      kept: (phrase) => status.say(phrase),
+      kept: (phrase) => this.status.say(phrase),
     });
     client.onBusy = (count) => {
-      status.setBusy(count);
+      this.status.setBusy(count);
       this.root.dataset["calls"] = String(count);
     };
     this.files = new Files(this.session, this.toasts);
@@ -63,7 +64,7 @@ export class Studio {
       catalogue: () => this.session.ask("catalogue"),
       use: (example) => this.sheet.beginEdit(example),
     });
-    this.root = this.assemble(new Inspector(this.session), status);
+    this.root = this.assemble(new Inspector(this.session));
     this.listen();
   }
 
@@ -71,7 +72,8 @@ export class Studio {
   async begin(kept: string | null, first: string): Promise<void> {
     if (language() !== "en") await this.session.ask("setLanguage", language());
     const restored = kept !== null && (await this.session.resume(kept, true));
-    if (!restored) await this.session.open(first);
+    if (restored) this.status.say("restored");
+    else await this.session.open(first);
     this.view?.recolor();
     if (keptDraft()) this.sheet.restoreDraft();
     else this.sheet.focus();
@@ -83,7 +85,7 @@ export class Studio {
     if (await this.session.open(text)) this.sheet.focus();
   }
 
-  private assemble(inspector: Inspector, status: StatusBar): HTMLElement {
+  private assemble(inspector: Inspector): HTMLElement {
     const left = el("div", { class: "left" }, this.sheet.bar.root, this.sheet.root, inspector.root);
     const right = this.view?.root ?? viewless();
     return el(
@@ -91,7 +93,7 @@ export class Studio {
       { class: "studio" },
       this.topBar().root,
       el("main", { class: "work" }, left, splitter(left), right),
-      status.root,
+      this.status.root,
       this.toasts.root,
       this.gallery.root,
       this.functions.root,

@@ -1,9 +1,7 @@
 /** Every sentence of the studio, once, in each language. `{name}` is filled in. */
 export const TABLE = {
-  appTagline: { en: "forms that recalculate", fr: "des formes qui se recalculent" },
   untitled: { en: "Untitled sheet", fr: "Tableau sans titre" },
   title: { en: "Title of the sheet", fr: "Titre du tableau" },
-  skipToSheet: { en: "Skip to the sheet", fr: "Aller au tableau" },
 
   newSheet: { en: "New", fr: "Nouveau" },
   newSheetHelp: { en: "An empty sheet", fr: "Un tableau vide" },
@@ -74,7 +72,6 @@ export const TABLE = {
   noWebgl: { en: "This browser offers no WebGL 2: the sheet works, the view does not.", fr: "Ce navigateur n’a pas WebGL 2 : le tableau marche, pas la vue." },
 
   style: { en: "Style", fr: "Style" },
-  styleOf: { en: "Style of {address}", fr: "Style de {address}" },
   styleNone: { en: "This cell holds nothing that can be drawn.", fr: "Cette cellule ne contient rien à dessiner." },
   show: { en: "Drawn", fr: "Dessinée" },
   points: { en: "Points", fr: "Points" },

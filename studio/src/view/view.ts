@@ -59,10 +59,6 @@ export class View {
     localised(() => this.describe());
   }
 
-  focus(): void {
-    this.canvas.focus();
-  }
-
   /** Reads the colours of the ground and of the handles from the style sheet. */
   recolor(): void {
     const style = getComputedStyle(this.root);
