@@ -148,3 +148,23 @@ test("a kernel that dies is replaced, and the sheet is back with its history", a
   await stillWhole(studio);
   await studio.close();
 });
+
+test("cells at the far end of a sheet are reached without a hang", async () => {
+  const studio = await bench.visit();
+  const address = studio.page.locator("input.address");
+  await address.fill("ZZZ1000000");
+  await address.press("Enter");
+  await studio.page.keyboard.type("=2*21");
+  await studio.page.keyboard.press("Enter");
+  await studio.waitFor("ZZZ1000000", /42/);
+  await studio.page.keyboard.press("Control+a");
+  await studio.page.keyboard.press("Control+c");
+  await studio.page.keyboard.press("Control+Home");
+  await stillWhole(studio);
+  assert.ok((await studio.page.locator("td[data-address]").count()) < 3_000);
+  await studio.page.locator('.state[data-phrase="saved"]').waitFor();
+  await studio.page.reload();
+  await studio.ready();
+  await stillWhole(studio);
+  await studio.close();
+});

@@ -41,7 +41,10 @@ export class Studio {
     this.status = new StatusBar(
       this.store,
       () => void this.session.stop(),
-      (on) => this.root.classList.toggle("with-costs", on),
+      (on) => {
+        this.root.classList.toggle("with-costs", on);
+        this.sheet.showCosts(on);
+      },
     );
     this.session = new Session(this.store, client, {
       error: (title, message, hint) => this.toasts.error(title, message, hint),

@@ -3,6 +3,7 @@ import { addressOf, blockName, blockOf, columnName, placeOf, placesIn } from "..
 import { fromClip, fromTable, parseTable, toClip, toTable } from "../src/sheet/clipboard";
 import { gridAction, type Stroke } from "../src/sheet/keys";
 import { references, tokens } from "../src/sheet/tokens";
+import { Layout, scrolledTo } from "../src/sheet/window";
 
 describe("addresses", () => {
   it("name columns as spreadsheets do", () => {
@@ -39,8 +40,7 @@ describe("the clipboard", () => {
   });
 
   it("carries cells with their places, and refuses what it did not make", () => {
-    const block = blockOf({ column: 0, row: 0 }, { column: 1, row: 0 });
-    const clip = toClip(block, ({ column }) => (column === 0 ? "=B1" : ""));
+    const clip = toClip(blockOf({ column: 0, row: 0 }, { column: 1, row: 0 }), [["A1", "=B1"]]);
     expect(clip).toEqual({ range: "A1:B1", cells: [["A1", "=B1"]] });
     expect(fromClip(JSON.stringify(clip))).toEqual(clip);
     for (const wrong of ["", "null", "3", '{"range":1}', "{"]) expect(fromClip(wrong)).toBeNull();
@@ -53,6 +53,28 @@ describe("the clipboard", () => {
     ]);
     expect(parseTable('"open')).toEqual([['"open']]);
     expect(parseTable("")).toEqual([[""]]);
+  });
+});
+
+describe("the layout", () => {
+  const layout = new Layout([100, 50, 200, 100, 100, 100, 100, 100, 100, 100, 100, 100], 1_000_000, 32);
+
+  it("knows where columns are", () => {
+    expect([0, 99, 100, 149, 150, 349, 5000].map((x) => layout.columnAt(x))).toEqual([0, 0, 1, 1, 2, 2, 11]);
+    expect([layout.x(2), layout.width, layout.y(3)]).toEqual([150, 1250, 96]);
+  });
+
+  it("lays out what is seen and a little more, however long the sheet", () => {
+    const seen = { x: 0, y: 32 * 500_000, width: 300, height: 640 };
+    const window = layout.windowOn(seen);
+    expect(window).toEqual({ left: 0, top: 499_984, columns: 7, rows: 52 });
+    expect(layout.covers(window, seen)).toBe(true);
+    expect(layout.covers(window, { ...seen, y: seen.y + 32 * 30 })).toBe(false);
+  });
+
+  it("scrolls no more than needed", () => {
+    expect([scrolledTo(100, 50, 110, 140), scrolledTo(100, 50, 80, 90), scrolledTo(100, 50, 140, 170)]).toEqual([100, 80, 120]);
+    expect(scrolledTo(0, 50, 100, 300)).toBe(100);
   });
 });
 

@@ -44,6 +44,18 @@ export function blockOf(a: Place, b: Place): Block {
   };
 }
 
+export function inBlock(block: Block, place: Place): boolean {
+  const across = place.column >= block.left && place.column <= block.right;
+  return across && place.row >= block.top && place.row <= block.bottom;
+}
+
+export function areaOf(block: Block): number {
+  return (block.right - block.left + 1) * (block.bottom - block.top + 1);
+}
+
+/** The last column and row a sheet can have. */
+export const LAST: Place = { column: 18_277, row: 999_999 };
+
 /** Row by row. */
 export function* placesIn(block: Block): Generator<Place> {
   for (let row = block.top; row <= block.bottom; row++) {

@@ -1,12 +1,14 @@
 import type { Clip } from "../engine/protocol";
-import { addressOf, type Block, blockName, type Place, placesIn } from "./address";
+import { addressOf, areaOf, type Block, blockName, type Place } from "./address";
+
+/** Larger blocks are copied for ourselves only: other programs would get mostly empty cells. */
+const TABLE_CELLS = 100_000;
 
 /** Our own kind of clipboard contents: formulas pasted from it follow their new place. */
 export const CLIP = "application/x-pforms-cells";
 
-export function toClip(block: Block, sourceAt: (place: Place) => string): Clip {
-  const all = [...placesIn(block)].map((place): [string, string] => [addressOf(place), sourceAt(place)]);
-  return { range: blockName(block), cells: all.filter(([, source]) => source !== "") };
+export function toClip(block: Block, cells: [string, string][]): Clip {
+  return { range: blockName(block), cells };
 }
 
 /** Reads what [`toClip`] made; null for anything else. */
@@ -19,8 +21,9 @@ export function fromClip(text: string): Clip | null {
   }
 }
 
-/** Sources as other spreadsheets expect them: tabs between columns, line ends between rows. */
+/** Sources as other spreadsheets expect them: tabs between columns, line ends between rows. Empty for huge blocks. */
 export function toTable(block: Block, sourceAt: (place: Place) => string): string {
+  if (areaOf(block) > TABLE_CELLS) return "";
   const rows: string[] = [];
   for (let row = block.top; row <= block.bottom; row++) {
     const fields: string[] = [];

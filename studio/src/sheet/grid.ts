@@ -1,13 +1,18 @@
 import { el, fill } from "../dom";
 import { localised, t } from "../i18n";
 import type { Store } from "../store";
-import { addressOf, columnName, type Place, placeOf, placesIn } from "./address";
+import { addressOf, columnName, inBlock, type Place, placeOf } from "./address";
 import { paintCell } from "./cell";
 import { columnWidths } from "./widths";
+import { Layout, scrolledTo, type Seen, type Window } from "./window";
 
 const LEAST_COLUMNS = 12;
 const LEAST_ROWS = 40;
 const SPARE = 8;
+/** Width of the row numbers and height of the column letters, in pixels, as in the style sheet. */
+const HEADS = { width: 40, height: 26 };
+const ROW = 32;
+const TALL_ROW = 46;
 
 /** What the grid reports to the rest of the sheet. */
 export interface GridEvents {
@@ -16,22 +21,26 @@ export interface GridEvents {
   toggleDraw(place: Place): void;
 }
 
-/** The table of cells. It shows what the store holds and reports the mouse; keys are the sheet's affair. */
+/** The table of cells. It lays out what is seen, shows what the store holds, and reports the mouse. */
 export class Grid {
   readonly table = el("table", { class: "grid", role: "grid", aria: { multiselectable: "true" } });
+  private readonly extent = el("div", { class: "grid-extent" }, this.table);
+  readonly root = el("div", { class: "sheet-scroll" }, this.extent);
   private readonly cells = new Map<string, HTMLTableCellElement>();
-  private columns = 0;
-  private rows = 0;
+  private layout = new Layout([], 0, ROW);
+  private window: Window = { left: 0, top: 0, columns: 0, rows: 0 };
   private draft: { address: string; text: string } | null = null;
-  private marked: HTMLTableCellElement[] = [];
+  private outlined: readonly string[] = [];
+  private tall = false;
 
   constructor(
     private readonly store: Store,
     private readonly events: GridEvents,
   ) {
-    this.resize();
     store.on("cells", (touched) => this.refresh(touched));
-    store.on("selection", () => this.showSelection());
+    store.on("selection", () => this.follow());
+    this.root.addEventListener("scroll", () => this.scrolled());
+    new ResizeObserver(() => this.scrolled()).observe(this.root);
     localised(() => {
       this.table.setAttribute("aria-label", t("sheet"));
       this.refresh(null);
@@ -40,12 +49,18 @@ export class Grid {
   }
 
   get size(): { columns: number; rows: number } {
-    return { columns: this.columns, rows: this.rows };
+    return this.layout;
   }
 
   /** Gives the keyboard to the selected cell. */
   focus(): void {
-    this.cellAt(this.store.focus)?.focus({ preventScroll: true });
+    this.cells.get(this.store.address)?.focus({ preventScroll: true });
+  }
+
+  /** Makes room for the costs under the values, or takes it back. */
+  showCosts(on: boolean): void {
+    this.tall = on;
+    this.refresh(null);
   }
 
   /** Shows text being typed in place of the cell's own; null ends it. */
@@ -58,55 +73,100 @@ export class Grid {
 
   /** Outlines the cells that a formula reads. */
   outline(addresses: readonly string[]): void {
-    for (const cell of this.marked) delete cell.dataset["read"];
-    this.marked = [];
-    addresses.forEach((address, order) => {
+    for (const address of this.outlined) delete this.cells.get(address)?.dataset["read"];
+    this.outlined = addresses;
+    this.showOutlines();
+  }
+
+  private showOutlines(): void {
+    this.outlined.forEach((address, order) => {
       const cell = this.cells.get(address);
-      if (!cell) return;
-      cell.dataset["read"] = String(order % 6);
-      this.marked.push(cell);
+      if (cell) cell.dataset["read"] = String(order % 6);
     });
   }
 
   private refresh(touched: ReadonlySet<string> | null): void {
-    const { columns, rows } = this.store.extent();
-    const grown = columns + 2 > this.columns || rows + SPARE > this.rows;
-    if (touched && !grown) {
-      for (const address of touched) this.paint(address);
-      return;
-    }
-    this.resize();
-    for (const address of this.store.cells.keys()) this.paint(address);
-    this.showSelection();
+    if (touched && !this.grown()) for (const address of touched) this.paint(address);
+    else this.measure();
   }
 
-  private resize(): void {
+  /** Whether what is filled or selected has come near the border of the table. */
+  private grown(): boolean {
+    const { columns, rows } = this.wanted();
+    return columns > this.layout.columns || rows > this.layout.rows;
+  }
+
+  private wanted(): { columns: number; rows: number } {
     const { columns, rows } = this.store.extent();
-    this.columns = Math.max(LEAST_COLUMNS, columns + 2, this.store.focus.column + 1);
-    this.rows = Math.max(LEAST_ROWS, rows + SPARE, this.store.focus.row + 1);
-    this.table.setAttribute("aria-colcount", String(this.columns + 1));
-    this.table.setAttribute("aria-rowcount", String(this.rows + 1));
+    const { focus } = this.store;
+    return {
+      columns: Math.max(LEAST_COLUMNS, columns + 2, focus.column + 1),
+      rows: Math.max(LEAST_ROWS, rows + SPARE, focus.row + 1),
+    };
+  }
+
+  /** Finds out how large the sheet is, and lays out what is seen of it. */
+  private measure(): void {
+    const { columns, rows } = this.wanted();
+    const widths = columnWidths(this.store.cells.values(), columns);
+    this.layout = new Layout(widths, rows, this.tall ? TALL_ROW : ROW);
+    this.extent.style.width = `${HEADS.width + this.layout.width}px`;
+    this.extent.style.height = `${HEADS.height + this.layout.height}px`;
+    this.table.setAttribute("aria-colcount", String(columns + 1));
+    this.table.setAttribute("aria-rowcount", String(rows + 1));
+    this.layOut();
+  }
+
+  private seen(): Seen {
+    const { scrollLeft, scrollTop, clientWidth, clientHeight } = this.root;
+    return {
+      x: scrollLeft,
+      y: scrollTop,
+      width: Math.max(0, clientWidth - HEADS.width),
+      height: Math.max(0, clientHeight - HEADS.height),
+    };
+  }
+
+  private scrolled(): void {
+    const seen = this.seen();
+    const reached = { ...seen, x: Math.min(seen.x, this.layout.width), y: Math.min(seen.y, this.layout.height) };
+    if (!this.layout.covers(this.window, reached)) this.layOut();
+  }
+
+  /** Makes the cells of the window anew. */
+  private layOut(): void {
+    const focused = this.table.contains(document.activeElement);
+    this.window = this.layout.windowOn(this.seen());
+    const { left, top, rows } = this.window;
     this.cells.clear();
     const body = el("tbody");
-    for (let row = 0; row < this.rows; row++) body.append(this.row(row));
-    fill(this.table, this.columnWidths(), this.head(), body);
+    for (let row = top; row < top + rows; row++) body.append(this.row(row));
+    fill(this.table, this.columnGroup(), this.head(), body);
+    this.table.style.left = `${this.layout.x(left)}px`;
+    this.table.style.top = `${this.layout.y(top)}px`;
+    for (const address of this.cells.keys()) this.paint(address);
+    this.showSelection();
+    this.showOutlines();
+    if (focused) this.focus();
   }
 
-  private columnWidths(): HTMLElement {
+  private columnGroup(): HTMLElement {
     const group = el("colgroup", {}, el("col", { class: "row-heads" }));
-    const widths = columnWidths(this.store.cells.values(), this.columns);
-    for (const width of widths) {
-      const column = el("col");
-      column.style.width = `${width}px`;
-      group.append(column);
+    const { left, columns } = this.window;
+    for (let column = left; column < left + columns; column++) {
+      const col = el("col");
+      col.style.width = `${this.layout.x(column + 1) - this.layout.x(column)}px`;
+      group.append(col);
     }
-    this.table.style.setProperty("--width", `${widths.reduce((sum, width) => sum + width, 0)}px`);
+    const width = this.layout.x(left + columns) - this.layout.x(left);
+    this.table.style.width = `${HEADS.width + width}px`;
     return group;
   }
 
   private head(): HTMLElement {
     const row = el("tr", { aria: { rowindex: "1" } }, el("td", { class: "corner" }));
-    for (let column = 0; column < this.columns; column++) {
+    const { left, columns } = this.window;
+    for (let column = left; column < left + columns; column++) {
       row.append(el("th", { scope: "col", data: { column: String(column) } }, columnName(column)));
     }
     return el("thead", {}, row);
@@ -115,14 +175,11 @@ export class Grid {
   private row(row: number): HTMLElement {
     const line = el("tr", { aria: { rowindex: String(row + 2) } });
     line.append(el("th", { scope: "row", data: { row: String(row) } }, String(row + 1)));
-    for (let column = 0; column < this.columns; column++) {
+    const { left, columns } = this.window;
+    for (let column = left; column < left + columns; column++) {
       const address = addressOf({ column, row });
-      const cell = el("td", {
-        role: "gridcell",
-        tabIndex: -1,
-        data: { address },
-        aria: { colindex: String(column + 2) },
-      });
+      const place = { colindex: String(column + 2) };
+      const cell = el("td", { role: "gridcell", tabIndex: -1, data: { address }, aria: place });
       this.cells.set(address, cell);
       line.append(cell);
     }
@@ -136,32 +193,34 @@ export class Grid {
     paintCell(cell, this.store.cells.get(address), draft);
   }
 
-  private cellAt(place: Place): HTMLTableCellElement | undefined {
-    return this.cells.get(addressOf(place));
+  /** Brings the selected cell into sight and marks it. */
+  private follow(): void {
+    if (this.grown()) this.measure();
+    const { column, row } = this.store.focus;
+    const { layout, root } = this;
+    const { width, height } = this.seen();
+    const x = scrolledTo(root.scrollLeft, width, layout.x(column), layout.x(column + 1));
+    const y = scrolledTo(root.scrollTop, height, layout.y(row), layout.y(row + 1));
+    if (width > 0 && x !== root.scrollLeft) root.scrollLeft = x;
+    if (height > 0 && y !== root.scrollTop) root.scrollTop = y;
+    this.scrolled();
+    this.showSelection();
   }
 
   private showSelection(): void {
     const { focus, block } = this.store;
-    if (focus.column >= this.columns || focus.row >= this.rows) {
-      this.resize();
-      for (const address of this.store.cells.keys()) this.paint(address);
+    for (const marked of this.table.querySelectorAll<HTMLElement>("td[aria-selected], td[data-focus], th[data-active]")) {
+      for (const mark of ["aria-selected", "data-active", "data-focus"]) marked.removeAttribute(mark);
+      if (marked.tabIndex === 0) marked.tabIndex = -1;
     }
-    for (const cell of this.table.querySelectorAll<HTMLElement>("td[aria-selected], th[data-active]")) {
-      cell.removeAttribute("aria-selected");
-      cell.removeAttribute("data-active");
-      cell.removeAttribute("data-focus");
-      if (cell.tabIndex === 0) cell.tabIndex = -1;
+    for (const [address, cell] of this.cells) {
+      const place = placeOf(address);
+      if (place && inBlock(block, place)) cell.setAttribute("aria-selected", "true");
     }
-    const right = Math.min(block.right, this.columns - 1);
-    const bottom = Math.min(block.bottom, this.rows - 1);
-    for (const place of placesIn({ ...block, right, bottom })) {
-      this.cellAt(place)?.setAttribute("aria-selected", "true");
-    }
-    const cell = this.cellAt(focus);
+    const cell = this.cells.get(addressOf(focus));
     if (!cell) return;
     cell.tabIndex = 0;
     cell.dataset["focus"] = "";
-    cell.scrollIntoView({ block: "nearest", inline: "nearest" });
     this.table.querySelector(`th[data-column="${focus.column}"]`)?.setAttribute("data-active", "");
     this.table.querySelector(`th[data-row="${focus.row}"]`)?.setAttribute("data-active", "");
   }
@@ -188,4 +247,3 @@ function placeUnder(event: MouseEvent): Place | null {
   const cell = (event.target as Element).closest<HTMLElement>("td[data-address]");
   return cell ? placeOf(cell.dataset["address"] ?? "") : null;
 }
-

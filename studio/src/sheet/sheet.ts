@@ -1,8 +1,7 @@
-import { el } from "../dom";
 import { keepDraft, keptDraft } from "../keep";
 import type { Session } from "../session";
 import { defaultStyle } from "../panels/styles";
-import { addressOf, blockName, type Place, placeOf, placesIn } from "./address";
+import { addressOf, blockName, inBlock, LAST, type Place, placeOf } from "./address";
 import { CLIP, fromClip, fromTable, toClip, toTable } from "./clipboard";
 import { FormulaBar, type Leave } from "./formulabar";
 import { Grid } from "./grid";
@@ -41,7 +40,7 @@ export class Sheet {
       cancel: (back) => this.cancelled(back),
       goTo: (address) => this.goTo(address),
     });
-    this.root = el("div", { class: "sheet-scroll" }, this.grid.table);
+    this.root = this.grid.root;
     this.listen();
     store.on("selection", () => this.showSelected());
     store.on("cells", () => this.showSelected());
@@ -49,6 +48,10 @@ export class Sheet {
 
   focus(): void {
     this.grid.focus();
+  }
+
+  showCosts(on: boolean): void {
+    this.grid.showCosts(on);
   }
 
   /** Takes up the text that was being typed when the page went away. */
@@ -129,8 +132,8 @@ export class Sheet {
   }
 
   private go(place: Place, extend: boolean): void {
-    const column = Math.max(0, Math.min(place.column, 700));
-    const row = Math.max(0, Math.min(place.row, 99_999));
+    const column = Math.max(0, Math.min(place.column, LAST.column));
+    const row = Math.max(0, Math.min(place.row, LAST.row));
     this.session.store.select({ column, row }, extend);
     this.grid.focus();
   }
@@ -215,16 +218,25 @@ export class Sheet {
   }
 
   private async clear(): Promise<void> {
-    const { store } = this.session;
-    const filled = [...placesIn(store.block)].map(addressOf).filter((address) => store.cells.has(address));
-    if (filled.length > 0) await this.session.change("set", filled.map((address) => [address, ""]));
+    const emptied = this.filled().map(([address]): [string, string] => [address, ""]);
+    if (emptied.length > 0) await this.session.change("set", emptied);
+  }
+
+  /** The selected cells that hold something, with their sources. */
+  private filled(): [string, string][] {
+    const { cells, block } = this.session.store;
+    const selected = (address: string): boolean => {
+      const place = placeOf(address);
+      return place !== null && inBlock(block, place);
+    };
+    return [...cells.values()].filter((cell) => selected(cell.address)).map((cell) => [cell.address, cell.source]);
   }
 
   private copy(event: ClipboardEvent): void {
     const { store } = this.session;
     const source = (place: Place): string => store.cells.get(addressOf(place))?.source ?? "";
     event.clipboardData?.setData("text/plain", toTable(store.block, source));
-    event.clipboardData?.setData(CLIP, JSON.stringify(toClip(store.block, source)));
+    event.clipboardData?.setData(CLIP, JSON.stringify(toClip(store.block, this.filled())));
     event.preventDefault();
   }
 
