@@ -3,7 +3,7 @@
 use pforms_kernel::{Error, Form};
 
 use crate::parameter::Fallback;
-use crate::{Arithmetic, Failure, Language, Operator, Parameter, Value, Words};
+use crate::{Arithmetic, Failure, Language, Operator, Parameter, Takes, Value, Words};
 
 /// The arguments of a call, one slot for each parameter. Readers convert, check the range the
 /// catalogue states, and answer with an error that names the parameter.
@@ -58,15 +58,15 @@ impl<S: Arithmetic> Bound<S> {
             Value::Form(form) => Ok(form.clone()),
             Value::List(items) if !items.is_empty() => crate::net::form_of_list(items),
             Value::Immersed(lazy) => crate::cost::expanded(lazy),
-            Value::Piecewise(_) => Err(self.mistyped(index, value).with_hint(
+            Value::Piecewise(_) => Err(self.no_form(index, value).with_hint(
                 "NET(…) gives the poles of all pieces, PIECE(…) one of them",
                 "RESEAU(…) donne les pôles de tous les morceaux, MORCEAU(…) l'un d'eux",
             )),
-            Value::Number(_) => Err(self.mistyped(index, value).with_hint(
+            Value::Number(_) => Err(self.no_form(index, value).with_hint(
                 "a one-dimensional point is written (x,)",
                 "un point à une dimension s'écrit (x,)",
             )),
-            _ => Err(self.mistyped(index, value)),
+            _ => Err(self.no_form(index, value)),
         }
     }
 
@@ -222,11 +222,19 @@ impl<S: Arithmetic> Bound<S> {
 
     /// The error for a value of the wrong kind.
     pub(crate) fn mistyped(&self, index: usize, value: &Value<S>) -> Failure {
+        self.expected(index, value, self.parameter(index).takes)
+    }
+
+    fn expected(&self, index: usize, value: &Value<S>, takes: Takes) -> Failure {
         if let Value::Error(failure) = value {
             return failure.clone();
         }
-        let words = self.parameter(index).takes.words();
-        self.explain(index, value, shape, words.en, words.fr)
+        self.explain(index, value, shape, takes.words().en, takes.words().fr)
+    }
+
+    /// The error for a value that is no form, whatever else the parameter would take.
+    fn no_form(&self, index: usize, value: &Value<S>) -> Failure {
+        self.expected(index, value, Takes::Form)
     }
 
     /// The error for a value of the right kind that will not do.

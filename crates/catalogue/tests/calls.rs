@@ -64,6 +64,8 @@ fn parameters_may_be_lists_of_their_own() {
     assert_eq!(shown("=POINT([(0, 0), (1, 2), (2, 0)], [0, 1/2, 1])"), "pL3 · 2D");
     assert_eq!(shown("=POINT([[(0, 0), (1, 0)], [(0, 1), (1, 1)]], [0, 1/2], 1)"), "pL2 · 2D");
     assert_eq!(shown("=POINT(SUBDIVIDE([(0, 0), (1, 2), (2, 0)], 3), 1/2)"), "(1, 1)");
+    assert_eq!(shown("=POINT((1, 2))"), "(1, 2)");
+    assert!(complaint("=ORDERS(5)").contains("expected a form or a net of points"));
     assert_eq!(shown("=BLOSSOM([[(0, 0), (1, 0)], [(0, 1), (1, 1)]], [1/2], [1])"), "(1, 0.5)");
     assert_eq!(
         shown("=SUBDIVIDE([[(0, 0), (1, 0)], [(0, 1), (1, 1)]], 1, 2)"),

@@ -42,7 +42,7 @@ pub(super) static ENTRIES: &[Operator] = &[
              points, un nombre seul vaut pour tous. Les formes en morceaux et les formes immergées \
              sont évaluées telles quelles.",
         ),
-        parameters: &[FORM, PARAMETERS],
+        parameters: &[FORM, PARAMETERS.or_absent("none, for a point", "aucun, pour un point")],
         gives: Takes::Point,
         example: "=POINT([(0, 0), (1, 2), (2, 0)], 1/4)",
         source: "book 2141",
