@@ -28,10 +28,14 @@ pub(crate) enum Numbers<'py> {
 impl<'py> Numbers<'py> {
     /// Reads an argument: a number, an array of any real type and layout, nested lists.
     ///
-    /// Errors: `ArgumentError` for what holds no real numbers, `ShapeError` for ragged lists.
+    /// Errors: `ArgumentError` for what holds no real numbers, or masks some of them; `ShapeError`
+    /// for ragged lists.
     pub(crate) fn read(argument: &str, object: &Bound<'py, PyAny>) -> PyResult<Self> {
         if let Some(number) = plain_number(object) {
             return Ok(Self::Owned { shape: Vec::new(), values: vec![number] });
+        }
+        if is_masked(object)? {
+            return Err(mistyped(argument, object, "numbers none of which is masked"));
         }
         if let Ok(array) = object.cast::<PyArrayDyn<f64>>() {
             return Self::borrow(argument, array);
@@ -112,6 +116,18 @@ fn to_float<'py>(array: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
 fn asarray(py: Python<'_>) -> PyResult<&Bound<'_, PyAny>> {
     static ASARRAY: PyOnceLock<Py<PyAny>> = PyOnceLock::new();
     ASARRAY.import(py, "numpy", "asarray")
+}
+
+/// Does an array hide some of its numbers behind a mask?
+fn is_masked(object: &Bound<'_, PyAny>) -> PyResult<bool> {
+    let array = object.is_instance_of::<PyUntypedArray>();
+    if !array || object.is_exact_instance_of::<PyUntypedArray>() {
+        return Ok(false);
+    }
+    match object.getattr_opt(intern!(object.py(), "mask"))? {
+        Some(mask) => mask.call_method0(intern!(object.py(), "any"))?.is_truthy(),
+        None => Ok(false),
+    }
 }
 
 /// Complains before a copy above the cap: a broadcast array may be larger than any memory.

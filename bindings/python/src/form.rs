@@ -229,8 +229,8 @@ impl PyForm {
         format!("<pforms.Form {} in {}D{rational}>", self.form.kind(), self.form.ambient())
     }
 
-    fn __eq__(&self, other: &Bound<'_, PyAny>) -> Option<bool> {
-        other.cast::<Self>().ok().map(|other| self.form == other.get().form)
+    fn __eq__(&self, other: &Self) -> bool {
+        self.form == other.form
     }
 
     fn __hash__(&self) -> u64 {

@@ -234,8 +234,8 @@ impl PyImmersed {
         format!("<pforms.Immersed {kind} in {}, {}D>", host.kind(), host.ambient())
     }
 
-    fn __eq__(&self, other: &Bound<'_, PyAny>) -> Option<bool> {
-        other.cast::<Self>().ok().map(|other| self.immersed == other.get().immersed)
+    fn __eq__(&self, other: &Self) -> bool {
+        self.immersed == other.immersed
     }
 
     fn __reduce__<'py>(&self, py: Python<'py>) -> (Bound<'py, PyAny>, (PyForm, PyForm)) {

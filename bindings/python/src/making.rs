@@ -1,5 +1,6 @@
 //! Forms from data: through given points, or near them.
 
+use numpy::PyUntypedArray;
 use pforms_kernel::{Error, Form, Result};
 use pforms_operators::{self as operators, Fit, FitOptions, Nodes, Parameters};
 use pyo3::prelude::*;
@@ -181,7 +182,9 @@ fn reported(py: Python<'_>, fit: Fit) -> PyResult<Bound<'_, PyAny>> {
 
 /// A list of numbers for each axis; a plain list is that of the only axis.
 fn lists(argument: &str, object: &Bound<'_, PyAny>) -> PyResult<Vec<Vec<f64>>> {
-    let outer = object.is_instance_of::<PyList>() || object.is_instance_of::<PyTuple>();
+    let outer = object.is_instance_of::<PyList>()
+        || object.is_instance_of::<PyTuple>()
+        || object.is_instance_of::<PyUntypedArray>();
     if outer && object.get_item(0).is_ok_and(|first| first.len().is_ok()) {
         return object.try_iter()?.map(|list| one_list(argument, &list?)).collect();
     }

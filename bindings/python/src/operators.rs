@@ -141,7 +141,7 @@ impl PyForm {
     /// ShapeError, DomainError
     ///     When no pole would be left, and for a negative number.
     /// DegenerateError
-    ///     When weights are not all of one sign.
+    ///     When the weight vanishes in the window, so that no bound can be promised.
     ///
     /// Examples
     /// --------

@@ -136,8 +136,8 @@ impl PyPiecewise {
         )
     }
 
-    fn __eq__(&self, other: &Bound<'_, PyAny>) -> Option<bool> {
-        other.cast::<Self>().ok().map(|other| self.pieces == other.get().pieces)
+    fn __eq__(&self, other: &Self) -> bool {
+        self.pieces == other.pieces
     }
 
     fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, Restored<'py>)> {

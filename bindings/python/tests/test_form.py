@@ -131,3 +131,21 @@ def test_a_pole_is_moved(make):
     assert form.with_pole((0, 0), (1, 2, 3), weight=0).homogeneous[0, 0].tolist() == [1, 2, 3, 0]
     assert make(5).with_pole(4, (1, 1, 1)).kind == "pL5"
     assert pf.Form((1, 2)).with_pole((), (3, 4)) == pf.Form((3, 4))
+
+
+def test_a_form_equals_no_other_thing(make):
+    for thing in (make(3), make(3, 3).subdivide(1), pf.Immersed(make(3, ambient=2), make(3, 3))):
+        assert (thing == 1) is False
+        assert (thing != None) is True  # noqa: E711
+
+
+def test_what_a_mask_hides_is_not_used():
+    points = np.ma.masked_array([(0.0, 0), (1, 1)], [(False, False), (True, False)])
+    with pytest.raises(pf.ArgumentError, match="poles: .* none of which is masked"):
+        pf.Form(points)
+    assert pf.Form(points[:1]).kind == "pL1"
+
+
+def test_a_weight_that_is_no_number_is_named():
+    with pytest.raises(pf.DomainError, match="^weights: received NaN"):
+        pf.Form([(0, 0), (1, 1)], [1, np.nan])

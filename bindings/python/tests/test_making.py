@@ -187,3 +187,9 @@ def test_poles_are_mapped_by_anything(make):
         pf.immerse_points(lambda x, y: (np.nan, 0), curve)
     with pytest.raises(pf.DomainError):
         pf.immerse_points(lambda x, y: (x, y), pf.Form([(0, 0), (1, 1)], [1, 0]))
+
+
+def test_nodes_may_be_an_array_with_a_row_for_each_axis():
+    net = np.arange(18.0).reshape(3, 3, 2) ** 2
+    nodes = [[0, 0.25, 1], [0, 0.5, 2]]
+    assert pf.interpolate(net, nodes=np.array(nodes)) == pf.interpolate(net, nodes=nodes)

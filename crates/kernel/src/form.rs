@@ -76,6 +76,9 @@ impl<S: Scalar> Form<S> {
                 format!("{expected}, one for each pole"),
             ));
         }
+        if let Some(weight) = weights.and_then(|list| list.iter().find(|w| !w.is_finite())) {
+            return Err(Error::domain("weights", format!("{weight:?}"), "finite numbers"));
+        }
         let mut poles = Vec::with_capacity(expected * (ambient + 1));
         for (index, point) in points.chunks_exact(ambient).enumerate() {
             let weight = weights.map_or_else(S::one, |weights| weights[index].clone());
