@@ -6,7 +6,8 @@ use crate::{Matrix, Scalar, pascal_row};
 ///
 /// By the triangle of de Casteljau run on the basis: in `[0, 1]` no term is subtracted, so each
 /// value is within `2·degree` roundings of the exact one (Farin, *Curves and Surfaces for CAGD*,
-/// section 5.1).
+/// section 5.1). Exact scalars, which need no such care, multiply the powers: `degree` products in
+/// place of its square.
 pub fn bernstein_row<S: Scalar>(degree: usize, t: &S) -> Vec<S> {
     let mut row = Vec::with_capacity(degree + 1);
     bernstein_row_into(degree, t, &mut row);
@@ -16,10 +17,25 @@ pub fn bernstein_row<S: Scalar>(degree: usize, t: &S) -> Vec<S> {
 /// [`bernstein_row`] into a buffer that is used again.
 pub(crate) fn bernstein_row_into<S: Scalar>(degree: usize, t: &S, row: &mut Vec<S>) {
     row.clear();
-    row.push(S::one());
     let s = S::one() - t.clone();
+    if S::EXACT {
+        row.extend(pascal_row::<S>(degree));
+        multiply_by_powers(row.iter_mut(), t);
+        multiply_by_powers(row.iter_mut().rev(), &s);
+        return;
+    }
+    row.push(S::one());
     for _ in 0..degree {
         blend(row, &s, t);
+    }
+}
+
+/// Multiplies the entries by `1, t, t², …`.
+fn multiply_by_powers<'a, S: Scalar>(entries: impl Iterator<Item = &'a mut S>, t: &S) {
+    let mut power = S::one();
+    for entry in entries {
+        *entry = entry.clone() * power.clone();
+        power = power * t.clone();
     }
 }
 
