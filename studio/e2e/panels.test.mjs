@@ -93,7 +93,7 @@ test("the table is a table, and says where one is", async () => {
     const table = cell.closest("table");
     return [
       table.getAttribute("role"),
-      table.querySelectorAll("thead th[scope=col]").length >= 12,
+      Number(table.ariaColCount) > 12 && table.querySelectorAll("thead th[scope=col]").length > 3,
       cell.parentElement.querySelector("th[scope=row]").textContent,
       cell.getAttribute("role"),
       cell.getAttribute("aria-selected"),

@@ -97,6 +97,20 @@ test("everything is done with the keyboard alone", async () => {
   await studio.close();
 });
 
+test("scrolling far away and typing comes back to the selected cell", async () => {
+  const studio = await empty();
+  await studio.type("A1", "5");
+  await studio.type("A200", "6");
+  await studio.cell("A200").click();
+  await studio.page.keyboard.press("Control+Home");
+  await studio.page.locator(".sheet-scroll").evaluate((one) => (one.scrollTop = 5000));
+  await studio.page.waitForTimeout(100);
+  assert.equal(await studio.cell("A1").count(), 0, "out of sight");
+  await studio.page.keyboard.press("ArrowRight");
+  assert.ok(await studio.cell("B1").evaluate((cell) => cell === document.activeElement));
+  await studio.close();
+});
+
 test("a formula copied elsewhere follows", async () => {
   const studio = await empty();
   await studio.type("A1", "2");

@@ -107,6 +107,10 @@ export class StudioPage {
 
   /** Types into a cell and accepts; waits until the answer is there. */
   async type(address, text) {
+    if ((await this.cell(address).count()) === 0) {
+      await this.page.locator("input.address").fill(address);
+      await this.page.locator("input.address").press("Enter");
+    }
     await this.cell(address).click();
     await this.page.keyboard.press("F2");
     await this.page.locator(".editor-area").fill(text);

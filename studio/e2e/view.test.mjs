@@ -148,10 +148,11 @@ test("the styles of a cell change the picture", async () => {
 test("the Newell teapot opens", async () => {
   const studio = await bench.visit();
   await studio.page.setInputFiles("input[type=file]", join(repository, "cases/models/newell-teapot32.bpt"));
-  await studio.waitFor("A32", /pS44/);
+  await studio.waitFor("A2", /pS44/);
   await studio.settled();
   assert.equal(await studio.page.locator("input.title").inputValue(), "newell-teapot32");
   assert.match(await studio.page.locator(".statusbar").innerText(), /33 cells/);
+  assert.equal(await studio.source("B1"), "=A1:A32");
   const pot = await studio.count(GOLD);
   assert.ok(pot > 30_000, `${pot} golden pixels`);
   assert.deepEqual(studio.faults, []);

@@ -23,7 +23,12 @@ export interface GridEvents {
 
 /** The table of cells. It lays out what is seen, shows what the store holds, and reports the mouse. */
 export class Grid {
-  readonly table = el("table", { class: "grid", role: "grid", aria: { multiselectable: "true" } });
+  readonly table = el("table", {
+    class: "grid",
+    role: "grid",
+    tabIndex: -1,
+    aria: { multiselectable: "true" },
+  });
   private readonly extent = el("div", { class: "grid-extent" }, this.table);
   readonly root = el("div", { class: "sheet-scroll" }, this.extent);
   private readonly cells = new Map<string, HTMLTableCellElement>();
@@ -52,9 +57,10 @@ export class Grid {
     return this.layout;
   }
 
-  /** Gives the keyboard to the selected cell. */
+  /** Gives the keyboard to the selected cell, or to the table while that cell is out of sight. */
   focus(): void {
-    this.cells.get(this.store.address)?.focus({ preventScroll: true });
+    const cell = this.cells.get(this.store.address) ?? this.table;
+    cell.focus({ preventScroll: true });
   }
 
   /** Makes room for the costs under the values, or takes it back. */

@@ -62,7 +62,7 @@ function plainAction(stroke: Stroke): GridAction | null {
     do: "move",
     columns,
     rows,
-    extend: false,
+    extend: stroke.shiftKey && stroke.key.startsWith("Page"),
     far: false,
   });
   switch (stroke.key) {
