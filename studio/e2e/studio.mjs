@@ -92,8 +92,16 @@ export class StudioPage {
     return this.page.locator(`td[data-address="${address}"]`);
   }
 
+  /** Goes to a cell that is out of sight: only what is seen is laid out. */
+  async reveal(address) {
+    if ((await this.cell(address).count()) > 0) return;
+    await this.page.locator("input.address").fill(address);
+    await this.page.locator("input.address").press("Enter");
+  }
+
   /** The text of a cell as it is read, without its cost. */
   async read(address) {
+    await this.reveal(address);
     return this.cell(address).evaluate((cell) =>
       [...cell.querySelectorAll(".kind, .text")].map((part) => part.textContent).join(" "),
     );
@@ -101,16 +109,14 @@ export class StudioPage {
 
   /** What stands in the formula bar after a cell was chosen. */
   async source(address) {
+    await this.reveal(address);
     await this.cell(address).click();
     return this.page.locator(".editor-area").inputValue();
   }
 
   /** Types into a cell and accepts; waits until the answer is there. */
   async type(address, text) {
-    if ((await this.cell(address).count()) === 0) {
-      await this.page.locator("input.address").fill(address);
-      await this.page.locator("input.address").press("Enter");
-    }
+    await this.reveal(address);
     await this.cell(address).click();
     await this.page.keyboard.press("F2");
     await this.page.locator(".editor-area").fill(text);
