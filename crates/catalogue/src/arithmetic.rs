@@ -51,6 +51,9 @@ pub trait Arithmetic: Scalar {
     /// binary fraction next to it.
     fn to_exact(&self) -> Rational;
 
+    /// Bits of its digits where numbers grow; 0 where they all have one size.
+    fn bits(&self) -> f64;
+
     /// May this number flow on?
     ///
     /// Errors: `Domain` when it is not finite; `Limit` when it has too many digits.
@@ -115,6 +118,10 @@ impl Arithmetic for f64 {
 
     fn to_exact(&self) -> Rational {
         simplest(*self).unwrap_or_default()
+    }
+
+    fn bits(&self) -> f64 {
+        0.0
     }
 
     fn check(&self) -> Result<(), Failure> {

@@ -9,22 +9,55 @@ use pforms_operators::Immersed;
 
 use crate::{Arithmetic, Failure};
 
-/// Multiplications that one call may take.
+/// Multiplications of short numbers that one call may take.
 fn cap<S: Arithmetic>() -> f64 {
     if S::EXACT { 2e7 } else { 1e10 }
 }
 
 /// The form, if a dense matrix may act along each of its axes: `order³` to make one.
 pub(crate) fn workable<S: Arithmetic>(form: Form<S>) -> Result<Form<S>, Failure> {
+    workable_at(form, &[])
+}
+
+/// [`workable`] for a matrix of powers of `parameters`.
+pub(crate) fn workable_at<S: Arithmetic>(
+    form: Form<S>,
+    parameters: &[S],
+) -> Result<Form<S>, Failure> {
+    let degree = form.degrees().into_iter().max().unwrap_or(0);
     let cube = |order: &usize| (*order as f64).powi(3);
-    require::<S>(form.orders().iter().map(cube).sum())?;
+    let work: f64 = form.orders().iter().map(cube).sum();
+    require::<S>(work * long(longest(form.homogeneous()) + degree as f64 * longest(parameters)))?;
     Ok(form)
+}
+
+/// Passes if the form may be evaluated `count` times at parameters of so many bits.
+pub(crate) fn require_points<S: Arithmetic>(
+    form: &Form<S>,
+    count: usize,
+    bits: f64,
+) -> Result<(), Failure> {
+    let degree: usize = form.degrees().iter().sum();
+    let work = (count * form.homogeneous().len()) as f64;
+    require::<S>(work * long(longest(form.homogeneous()) + degree as f64 * bits))
+}
+
+/// Bits of the longest number.
+pub(crate) fn longest<S: Arithmetic>(numbers: &[S]) -> f64 {
+    if S::EXACT { numbers.iter().map(S::bits).fold(0.0, f64::max) } else { 0.0 }
+}
+
+/// What a multiplication of fractions of so many bits costs: with its reduction to lowest terms it
+/// grows with the square.
+fn long(bits: f64) -> f64 {
+    (bits / 64.0).max(1.0).powi(2)
 }
 
 /// The form, if it may be multiplied by itself a few times: `poles²`, and growing.
 pub(crate) fn multipliable<S: Arithmetic>(form: Form<S>) -> Result<Form<S>, Failure> {
     let poles = form.pole_count() as f64;
-    require::<S>(64.0 * poles * poles * form.width() as f64)?;
+    let bits = longest(form.homogeneous());
+    require::<S>(64.0 * poles * poles * form.width() as f64 * long(bits))?;
     Ok(form)
 }
 
@@ -45,7 +78,8 @@ pub(crate) fn require_immersible<S: Arithmetic>(
         work += products * size(done) * size(degree) * host.width() as f64;
         done += degree;
     }
-    require::<S>(work * copies as f64)
+    let bits = longest(host.homogeneous()) + done as f64 * longest(inner.homogeneous());
+    require::<S>(work * copies as f64 * long(bits))
 }
 
 /// The poles of an immersed form that was kept unexpanded.

@@ -96,6 +96,10 @@ impl Arithmetic for Rational {
         self.clone()
     }
 
+    fn bits(&self) -> f64 {
+        (self.numer().bits() + self.denom().bits()) as f64
+    }
+
     fn check(&self) -> Result<(), Failure> {
         let bits = length(self);
         if bits <= BITS_CAP { Ok(()) } else { Err(too_long(bits)) }

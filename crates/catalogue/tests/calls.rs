@@ -246,3 +246,25 @@ fn an_immersion_that_would_take_hours_is_refused() {
     assert_eq!(shown(&format!("=POINT({lazy}, 1/4, 3/4)")), "(0.25, 0.75, 0)");
     assert_eq!(failure(&format!("=REVERSE({lazy})")).family(), "Limit");
 }
+
+#[test]
+fn fractions_that_would_grow_for_minutes_are_refused() {
+    let exact = |text: &str| reader::compute::<Rational>(text);
+    for text in [
+        "=STRETCH(ELEVATE([(0,), (1/3,), (1/5,)], 100), 0.123456789123456789, 2)",
+        "=POINT(ELEVATE([(0,), (1/2,), (1,)], 900), PARTITION(0, 1/3, 6))",
+        "=INTERPOLATE(GRID([(0,), (1/2,), (1,)], 200))",
+    ] {
+        let family = exact(text).failure().map(Failure::family);
+        assert_eq!(family, Some("Limit"), "{text}");
+        assert!(!value(text).is_error(), "{text} in floating mode");
+    }
+    let mut curve = exact("=[(1/3,), (1/7,), (1/9,)]").settle();
+    let host = curve.clone();
+    let immerse = find("IMMERSE").unwrap();
+    let refused = (0..30).find_map(|_| {
+        curve = immerse.call(Arguments::new([curve.clone(), host.clone()]));
+        curve.failure().map(Failure::family)
+    });
+    assert_eq!(refused, Some("Limit"));
+}

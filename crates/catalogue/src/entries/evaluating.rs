@@ -4,7 +4,7 @@ use pforms_kernel::{Form, Rational};
 use pforms_operators as operators;
 
 use super::{AXIS, FORM, Outcome, PLAIN};
-use crate::cost::{multipliable, workable};
+use crate::cost::{longest, multipliable, require_points, workable};
 use crate::operator::{Group, call};
 use crate::parameter::Fallback;
 use crate::words::words;
@@ -176,6 +176,10 @@ fn evaluate<S: Arithmetic>(a: &Bound<S>) -> Outcome<S> {
         other => a.form_of(0, &other)?.into(),
     };
     let given = a.all(1);
+    if let Value::Form(form) = &place {
+        let numbers = a.flat_numbers(1)?;
+        require_points(form, numbers.len().max(1), longest(&numbers))?;
+    }
     let mut lists = given.iter().filter_map(as_list);
     let Some(first) = lists.next() else {
         return point_at(a, &place, given.iter());
@@ -218,6 +222,8 @@ fn grid<S: Arithmetic>(a: &Bound<S>) -> Outcome<S> {
     let Some(total) = total.filter(|&total| total <= LIST_CAP) else {
         return Err(a.refused(1, &a.value(1), words("fewer points", "moins de points")));
     };
+    let finest = counts.iter().copied().max().unwrap_or(1);
+    require_points(&form, total, longest(&[S::ratio(1, finest as i64)]))?;
     let mut points = Vec::with_capacity(total * form.ambient());
     for flat in 0..total {
         points.extend(form.at(&parameters_of(flat, &counts))?);

@@ -5,7 +5,7 @@ use pforms_operators as operators;
 use pforms_operators::{FitOptions, Nodes, Parameters};
 
 use super::{Outcome, PLAIN, part};
-use crate::cost::workable;
+use crate::cost::workable_at;
 use crate::operator::{Group, call};
 use crate::parameter::Fallback;
 use crate::words::words;
@@ -129,7 +129,9 @@ pub(super) static ENTRIES: &[Operator] = &[
 ];
 
 fn interpolate<S: Arithmetic>(a: &Bound<S>) -> Outcome<S> {
-    let net = workable(a.form(0)?)?;
+    let net = a.form(0)?;
+    let widest = net.orders().iter().copied().max().unwrap_or(1);
+    let net = workable_at(net, &[S::ratio(1, widest as i64)])?;
     let nodes = match a.value(1) {
         Value::List(items) => Nodes::Given(lists_of(a, 1, &items, net.axes())?),
         _ => match a.choice(1)? {

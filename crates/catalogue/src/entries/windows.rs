@@ -4,7 +4,7 @@ use pforms_kernel::Rational;
 use pforms_operators as operators;
 
 use super::{AXIS, FORM, Outcome, PLAIN, T, list_of_forms, part};
-use crate::cost::workable;
+use crate::cost::{workable, workable_at};
 use crate::operator::{Group, call};
 use crate::parameter::Fallback;
 use crate::words::words;
@@ -274,7 +274,9 @@ fn subdivide<S: Arithmetic>(a: &Bound<S>) -> Outcome<S> {
 }
 
 fn split<S: Arithmetic>(a: &Bound<S>) -> Outcome<S> {
-    let (low, high) = operators::split(&workable(a.form(0)?)?, a.whole(1)?, &a.number(2)?)?;
+    let t = a.number(2)?;
+    let form = workable_at(a.form(0)?, std::slice::from_ref(&t))?;
+    let (low, high) = operators::split(&form, a.whole(1)?, &t)?;
     Ok(list_of_forms(vec![low, high]))
 }
 
@@ -295,14 +297,16 @@ fn reduce<S: Arithmetic>(a: &Bound<S>) -> Outcome<S> {
 }
 
 fn stretch<S: Arithmetic>(a: &Bound<S>) -> Outcome<S> {
-    let form = workable(a.form(0)?)?;
+    let form = a.form(0)?;
     let (from, to) = (a.numbers(1, form.axes())?, a.numbers(2, form.axes())?);
+    let form = workable_at(workable_at(form, &from)?, &to)?;
     Ok(operators::stretch(&form, &from, &to)?.into())
 }
 
 fn reparametrise<S: Arithmetic>(a: &Bound<S>) -> Outcome<S> {
-    let form = workable(a.form(0)?)?;
-    Ok(operators::reparametrise(&form, a.whole(1)?, &a.number(2)?)?.into())
+    let c = a.number(2)?;
+    let form = workable_at(a.form(0)?, std::slice::from_ref(&c))?;
+    Ok(operators::reparametrise(&form, a.whole(1)?, &c)?.into())
 }
 
 fn whole_line<S: Arithmetic>(a: &Bound<S>) -> Outcome<S> {
@@ -324,5 +328,7 @@ fn transpose<S: Arithmetic>(a: &Bound<S>) -> Outcome<S> {
 }
 
 fn sub<S: Arithmetic>(a: &Bound<S>) -> Outcome<S> {
-    Ok(operators::sub(&a.form(0)?, a.whole(1)?, &a.number(2)?)?.into())
+    let t = a.number(2)?;
+    let form = workable_at(a.form(0)?, std::slice::from_ref(&t))?;
+    Ok(operators::sub(&form, a.whole(1)?, &t)?.into())
 }
