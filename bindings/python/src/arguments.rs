@@ -5,11 +5,11 @@ use pyo3::prelude::*;
 use pyo3::types::PyString;
 
 use crate::arrays::Numbers;
-use crate::errors::{fail, mistyped};
+use crate::errors::{LimitError, fail, mistyped};
 use crate::form::PyForm;
 
-/// Counts above this are all refused alike, by the cap on results.
-const CEILING: f64 = (1_u64 << 40) as f64;
+/// No memory holds so many numbers.
+const CEILING: f64 = 1e12;
 
 /// A finite or infinite real number.
 pub(crate) fn real(argument: &str, object: &Bound<'_, PyAny>) -> PyResult<f64> {
@@ -59,16 +59,33 @@ pub(crate) fn wholes(
 pub(crate) fn axis(form: &Form, object: &Bound<'_, PyAny>) -> PyResult<usize> {
     let number = real("axis", object)?;
     if number >= 0.0 && number.fract() == 0.0 {
-        let axis = number.min(CEILING) as usize;
-        return form.require_axis(axis).map(|()| axis).or_else(|error| fail(&error));
+        let axis = number as usize;
+        if axis < form.axes() {
+            return Ok(axis);
+        }
     }
     let last = form.axes().saturating_sub(1);
     fail(&Error::shape("axis", number, format!("0 to {last} for a {}", form.kind())))
 }
 
-/// A level of recursion; whatever is too large for memory is refused later, by the cap.
-pub(crate) fn levels(list: &[usize]) -> Vec<u32> {
-    list.iter().map(|&level| u32::try_from(level).unwrap_or(u32::MAX)).collect()
+/// A level of recursion.
+pub(crate) fn level(argument: &str, level: usize) -> PyResult<u32> {
+    const MOST: u32 = 1_000_000;
+    let small = u32::try_from(level).ok().filter(|level| *level <= MOST);
+    small.ok_or_else(|| too_large(argument, level as f64, f64::from(MOST)))
+}
+
+/// `True` or `False`.
+pub(crate) fn truth(argument: &str, object: &Bound<'_, PyAny>) -> PyResult<bool> {
+    object.extract().map_err(|_| mistyped(argument, object, "True or False"))
+}
+
+/// Complains about NaN and infinities.
+pub(crate) fn require_finite(argument: &str, numbers: &[f64]) -> PyResult<()> {
+    match numbers.iter().find(|number| !number.is_finite()) {
+        None => Ok(()),
+        Some(number) => fail(&Error::domain(argument, number, "finite numbers")),
+    }
 }
 
 /// Forms in a list; a single form stands for a list of one.
@@ -108,8 +125,15 @@ pub(crate) fn word(
 }
 
 fn to_whole(argument: &str, number: f64) -> PyResult<usize> {
+    if number > CEILING {
+        return Err(too_large(argument, number, CEILING));
+    }
     if number >= 0.0 && number.fract() == 0.0 {
-        return Ok(number.min(CEILING) as usize);
+        return Ok(number as usize);
     }
     fail(&Error::domain(argument, number, "a whole number of at least 0"))
+}
+
+fn too_large(argument: &str, number: f64, most: f64) -> PyErr {
+    LimitError::new_err(format!("{argument}: received {number:e}, expected at most {most:e}"))
 }

@@ -5,7 +5,7 @@ use pforms_operators as operators;
 use pyo3::prelude::*;
 use pyo3::types::PyNotImplemented;
 
-use crate::arguments::real;
+use crate::arguments::{real, require_finite};
 use crate::errors::{done, fail};
 use crate::form::PyForm;
 
@@ -37,6 +37,7 @@ impl PyForm {
     fn __truediv__<'py>(&self, divisor: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
         let py = divisor.py();
         let Some(divisor) = number(divisor) else { return Ok(not_implemented(py)) };
+        require_finite("divisor", &[divisor])?;
         if divisor == 0.0 {
             return fail(&Error::domain("divisor", "0", "another number"));
         }
@@ -67,6 +68,7 @@ impl PyForm {
     fn times<'py>(&self, factor: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
         let py = factor.py();
         let Some(factor) = number(factor) else { return Ok(not_implemented(py)) };
+        require_finite("factor", &[factor])?;
         Ok(Bound::new(py, combined(py, &[factor], &[&self.form])?)?.into_any())
     }
 }

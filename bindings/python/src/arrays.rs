@@ -3,14 +3,14 @@
 use numpy::{
     PyArray1, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArray, PyUntypedArrayMethods,
 };
-use pforms_kernel::{Error, Result, limit};
+use pforms_kernel::{Error, limit};
 use pyo3::exceptions::{PyOverflowError, PyTypeError, PyValueError};
 use pyo3::intern;
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
 use pyo3::types::{PyFloat, PyInt, PyList, PyTuple};
 
-use crate::errors::{ShapeError, done, fail, mistyped, raised};
+use crate::errors::{ShapeError, fail, mistyped, raised};
 use crate::form::PyForm;
 
 /// NumPy allows no more axes.
@@ -187,7 +187,7 @@ pub(crate) fn array<'py>(
 
 /// An array of points filled in place: the caller's `out`, or a new one.
 ///
-/// `shape` is that of the parameters, each with `width` numbers; `cost` counts multiplications.
+/// `shape` is that of the parameters, each with `width` numbers.
 ///
 /// Errors: `ShapeError` when `out` has another shape, type or layout; `LimitError`; those of `fill`.
 pub(crate) fn filled<'py>(
@@ -195,8 +195,7 @@ pub(crate) fn filled<'py>(
     shape: &[usize],
     width: Option<usize>,
     out: Option<&Bound<'py, PyAny>>,
-    cost: usize,
-    fill: impl FnOnce(&mut [f64]) -> Result<()> + Send,
+    fill: impl FnOnce(&mut [f64]) -> PyResult<()>,
 ) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
     limit::check::<f64>("the points", shape, width.unwrap_or(1)).map_err(|error| raised(&error))?;
     let shape: Vec<usize> = shape.iter().copied().chain(width).collect();
@@ -208,8 +207,7 @@ pub(crate) fn filled<'py>(
     let mut view = array.try_readwrite().map_err(|_| {
         ShapeError::new_err("out: received a read-only array or one of the arguments, expected an array that can be written")
     })?;
-    let slice = view.as_slice_mut()?;
-    done(py, cost, || fill(slice))?;
+    fill(view.as_slice_mut()?)?;
     drop(view);
     Ok(array)
 }

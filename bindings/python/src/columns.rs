@@ -52,6 +52,24 @@ impl Columns {
         }
     }
 
+    /// Forgets the entries, but not the names and widths of the columns.
+    pub(crate) fn clear(&mut self) {
+        self.columns.iter_mut().for_each(|column| column.values.clear());
+    }
+
+    /// Moves entry `i` of every complete column to place `places[i]`.
+    pub(crate) fn rearrange(&mut self, places: &[usize]) {
+        for Column { width, values, .. } in &mut self.columns {
+            let width = width.unwrap_or(1);
+            if values.len() == width * places.len() {
+                let entries = values.clone();
+                for (entry, place) in entries.chunks_exact(width).zip(places) {
+                    values[place * width..][..width].copy_from_slice(entry);
+                }
+            }
+        }
+    }
+
     /// The numbers of the only column, an array of the parameters' shape.
     pub(crate) fn into_numbers(self, py: Python<'_>) -> PyResult<Bound<'_, PyArrayDyn<f64>>> {
         let values = self.columns.into_iter().next().map_or_else(Vec::new, |column| column.values);

@@ -2,7 +2,7 @@
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-use pforms_kernel::{Error, Result};
+use pforms_kernel::{Error, Fault, Result};
 use pyo3::prelude::*;
 use pyo3::types::PyType;
 
@@ -48,6 +48,22 @@ pub(crate) fn done<T: Send>(
         Err(_) => Err(PformsError::new_err(
             "a defect of pforms, not of the call: please report it with the call that caused it",
         )),
+    }
+}
+
+/// The error under the name by which the caller knows the argument.
+pub(crate) fn renamed(error: Error, name: &str, known: &str) -> Error {
+    let rename = |mut fault: Fault| {
+        if fault.argument == name {
+            known.clone_into(&mut fault.argument);
+        }
+        fault
+    };
+    match error {
+        Error::Shape(fault) => Error::Shape(rename(fault)),
+        Error::Domain(fault) => Error::Domain(rename(fault)),
+        Error::Degenerate(fault) => Error::Degenerate(rename(fault)),
+        other => other,
     }
 }
 

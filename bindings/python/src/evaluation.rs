@@ -12,6 +12,7 @@ use crate::errors::{fail, raised};
 use crate::form::PyForm;
 use crate::operators::immersed;
 use crate::parameters::Parameters;
+use crate::slices::{fill_grid, fill_scattered};
 
 /// What has a point for every parameter.
 pub(crate) trait Evaluate: Sync {
@@ -57,7 +58,9 @@ impl Evaluate for Piecewise {
     }
 
     fn cost(&self) -> usize {
-        self.degrees().iter().map(|degree| degree + 1).product::<usize>() * self.width()
+        let poles: usize = self.degrees().iter().map(|degree| degree + 1).product();
+        // Each point finds its piece first.
+        16 * poles * self.width()
     }
 
     fn fill(&self, at: &[&[f64]], _: Option<&[usize]>, out: &mut [f64]) -> Result<()> {
@@ -74,7 +77,8 @@ impl Evaluate for Immersed {
     }
 
     fn cost(&self) -> usize {
-        self.host().homogeneous().len() + self.inner().homogeneous().len()
+        let triangles: usize = self.host().orders().iter().sum();
+        self.host().homogeneous().len() * triangles.max(1) + self.inner().homogeneous().len()
     }
 
     fn fill(&self, at: &[&[f64]], orders: Option<&[usize]>, out: &mut [f64]) -> Result<()> {
@@ -98,16 +102,24 @@ pub(crate) fn points<'py>(
     py: Python<'py>,
 ) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
     let parameters = Parameters::read(parameters)?;
-    let cost = parameters.count().saturating_mul(subject.cost());
+    let (cost, count) = (subject.cost(), parameters.count());
     let (shape, width) = (parameters.shape(), Some(subject.width()));
     if let (None, Some(form)) = (orders, subject.on_grids())
         && let Some(lists) = parameters.grid()
     {
-        return filled(py, shape, width, out, cost, |numbers| form.grid_into(&lists, numbers));
+        return filled(py, shape, width, out, |numbers| {
+            fill_grid(py, &lists, cost, numbers, &|lists, part| form.grid_into(lists, part))
+        });
     }
     let lists = parameters.scattered();
     let lists: Vec<&[f64]> = lists.iter().map(AsRef::as_ref).collect();
-    filled(py, shape, width, out, cost, |numbers| subject.fill(&lists, orders, numbers))
+    // Products of truncated Taylor series take the square of their length.
+    let series = |order: &usize| (order + 1).saturating_pow(2);
+    let cost = orders.unwrap_or_default().iter().map(series).fold(cost, usize::saturating_mul);
+    filled(py, shape, width, out, |numbers| {
+        let fill = |lists: &[&[f64]], part: &mut [f64]| subject.fill(lists, orders, part);
+        fill_scattered(py, (&lists, count), cost, numbers, fill)
+    })
 }
 
 /// The orders of a derivative; a single number is for a curve.
@@ -232,9 +244,10 @@ impl PyForm {
         let lists: Vec<&[f64]> = lines.iter().map(Numbers::values).collect();
         self.form.require_per_axis("parameters", &lists).map_err(|error| raised(&error))?;
         let shape: Vec<usize> = lists.iter().map(|list| list.len()).collect();
-        let cost = shape.iter().fold(self.form.cost(), |cost, count| cost.saturating_mul(*count));
-        filled(parameters.py(), &shape, Some(self.form.ambient()), out, cost, |numbers| {
-            self.form.grid_into(&lists, numbers)
+        let py = parameters.py();
+        filled(py, &shape, Some(self.form.ambient()), out, |numbers| {
+            let fill = |lists: &[&[f64]], part: &mut [f64]| self.form.grid_into(lists, part);
+            fill_grid(py, &lists, self.form.cost(), numbers, &fill)
         })
     }
 }

@@ -7,9 +7,9 @@ use pforms_kernel::{Error, Form, Result};
 use pyo3::prelude::*;
 use pyo3::types::{PyTuple, PyType};
 
-use crate::arguments::wholes;
+use crate::arguments::{real, require_finite, wholes};
 use crate::arrays::{Numbers, array};
-use crate::errors::{done, fail};
+use crate::errors::{done, fail, renamed};
 
 /// A tensor-product rational Bézier form: nothing but its poles.
 ///
@@ -201,7 +201,7 @@ impl PyForm {
         py: Python<'_>,
         index: &Bound<'_, PyAny>,
         point: &Bound<'_, PyAny>,
-        weight: Option<f64>,
+        weight: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Self> {
         let index = wholes("index", index, 1)?;
         if let Ok(point) = point.cast::<Self>() {
@@ -214,6 +214,9 @@ impl PyForm {
             let expected = format!("a point of {} coordinates", self.form.ambient());
             return fail(&Error::shape("point", received, expected));
         }
+        require_finite("point", point.values())?;
+        let weight = weight.map(|weight| real("weight", weight)).transpose()?;
+        require_finite("weight", weight.as_slice())?;
         let values = point.values();
         done(py, self.form.pole_count(), || {
             let old = self.form.pole(&index)?[self.form.ambient()];
@@ -284,6 +287,7 @@ pub(crate) fn from_euclidean(
         ));
     }
     Form::from_points(orders, ambient, poles.values(), weights.map(Numbers::values))
+        .map_err(|error| renamed(error, "poles", argument))
 }
 
 /// A form from an array of homogeneous poles.
@@ -297,6 +301,7 @@ pub(crate) fn from_homogeneous(argument: &str, poles: &Numbers) -> Result<Form> 
         ));
     }
     Form::from_homogeneous(orders, width - 1, poles.values().to_vec())
+        .map_err(|error| renamed(error, "poles", argument))
 }
 
 fn split_shape<'a>(argument: &str, poles: &'a Numbers) -> Result<(&'a [usize], usize)> {

@@ -1,18 +1,19 @@
 //! Operators on several forms, or on none: the functions of the package.
 
 use numpy::PyArrayDyn;
-use pforms_catalogue::{Arguments, Arithmetic, Value, find, unknown};
-use pforms_kernel::{Form, Rational};
+use pforms_catalogue::{Arguments, Arithmetic, Language, Value, find, unknown};
+use pforms_kernel::{Error, Form, Rational};
 use pforms_operators as operators;
 use pyo3::prelude::*;
 use pyo3::types::{PyList, PyString, PyTuple};
 
-use crate::arguments::{form, levels, listed_forms, real, reals, whole};
+use crate::arguments::{form, level, listed_forms, real, reals, whole};
 use crate::arithmetic::combined;
 use crate::arrays::{array, filled};
-use crate::errors::{done, mistyped};
+use crate::errors::{done, fail, mistyped};
 use crate::form::PyForm;
 use crate::parameters::Parameters;
+use crate::slices::fill_scattered;
 
 /// The middle form: Σ C(n−1, i)·fᵢ / 2ⁿ⁻¹, row n of Pascal's triangle.
 ///
@@ -113,7 +114,7 @@ pub(crate) fn partition<'py>(
     b: &Bound<'py, PyAny>,
     r: &Bound<'py, PyAny>,
 ) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
-    let (from, to, level) = (real("a", a)?, real("b", b)?, levels(&[whole("r", r)?])[0]);
+    let (from, to, level) = (real("a", a)?, real("b", b)?, level("r", whole("r", r)?)?);
     let list = done(a.py(), 0, || operators::partition(&from, &to, level))?;
     array(a.py(), &[list.len()], list)
 }
@@ -148,10 +149,9 @@ pub(crate) fn bernstein<'py>(
 ) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
     let (n, i) = (whole("n", n)?, whole("i", i)?);
     let parameters = Parameters::read(std::slice::from_ref(t))?;
-    let cost = parameters.count().saturating_mul(n);
     let list = parameters.scattered();
-    filled(t.py(), parameters.shape(), None, None, cost, |out| {
-        for (value, t) in out.iter_mut().zip(list[0].iter()) {
+    let fill = |lists: &[&[f64]], out: &mut [f64]| {
+        for (value, t) in out.iter_mut().zip(lists[0]) {
             let arguments = [n as f64, i as f64, *t].map(Value::Number);
             *value = answer("bernstein", Arguments::new(arguments), |value| match value {
                 Value::Number(x) => Some(x),
@@ -159,8 +159,15 @@ pub(crate) fn bernstein<'py>(
             })?;
         }
         Ok(())
+    };
+    filled(t.py(), parameters.shape(), None, None, |out| {
+        let (count, cost) = (parameters.count(), CALL + n);
+        fill_scattered(t.py(), (&[list[0].as_ref()], count), cost, out, fill)
     })
 }
+
+/// A call through the catalogue takes as long as so many multiplications.
+const CALL: usize = 1 << 10;
 
 /// Row n of Pascal's triangle, up to n = 1000: whole numbers, exact.
 ///
@@ -197,8 +204,10 @@ pub(crate) fn pascal<'py>(n: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyList>>
 ///
 /// Raises
 /// ------
+/// DomainError
+///     For a name that no operator has.
 /// PformsError
-///     For a name or a kind that is none, and whatever the operator raises.
+///     For a kind that is none, and whatever the operator raises.
 ///
 /// Examples
 /// --------
@@ -212,7 +221,13 @@ pub(crate) fn explain(operator: &Bound<'_, PyAny>, kinds: &Bound<'_, PyTuple>) -
     let Ok(name) = operator.cast::<PyString>() else {
         return Err(mistyped("operator", operator, "the name of an operator"));
     };
-    let mut arguments = Arguments::new([Value::Text(name.to_string_lossy().into_owned())]);
+    let name = name.to_string_lossy().into_owned();
+    if find(&name).is_none() {
+        let hint = unknown(&name).hint(Language::English).map(|hint| format!(" ({hint})"));
+        let expected = format!("the name of an operator{}", hint.unwrap_or_default());
+        return fail(&Error::domain("operator", format!("{name:?}"), expected));
+    }
+    let mut arguments = Arguments::new([Value::Text(name)]);
     for kind in kinds {
         arguments.push(match kind.cast::<PyString>() {
             Ok(text) => Value::Text(text.to_string_lossy().into_owned()),

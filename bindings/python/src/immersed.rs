@@ -7,7 +7,7 @@ use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyString, PyTuple};
 
-use crate::arguments::{form, whole};
+use crate::arguments::{form, truth, whole};
 use crate::errors::raised;
 use crate::evaluation::{derivative_orders, points};
 use crate::form::PyForm;
@@ -57,7 +57,7 @@ impl From<Immersed> for PyImmersed {
 /// ShapeError
 ///     When the inner coordinates do not fit the axes of the host.
 /// LimitError
-///     With the forecast size.
+///     With the forecast size, or above 1e11 multiplications: lazily there is no limit.
 ///
 /// Examples
 /// --------
@@ -65,15 +65,15 @@ impl From<Immersed> for PyImmersed {
 /// >>> pf.immerse(pf.Form([(0, 0), (1, 1)]), host) == host.diagonal()
 /// True
 #[pyfunction]
-#[pyo3(signature = (inner, host, lazy=false))]
+#[pyo3(signature = (inner, host, lazy=None), text_signature = "(inner, host, lazy=False)")]
 pub(crate) fn immerse<'py>(
     inner: &Bound<'py, PyAny>,
     host: &Bound<'py, PyAny>,
-    lazy: bool,
+    lazy: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Bound<'py, PyAny>> {
     let py = inner.py();
     let (inner, host) = (form("inner", inner)?, form("host", host)?);
-    if !lazy {
+    if !lazy.map_or(Ok(false), |lazy| truth("lazy", lazy))? {
         return immersed(py, &inner, &host)?.into_bound_py_any(py);
     }
     let lazy = Immersed::new(inner, host).map_err(|error| raised(&error))?;

@@ -5,10 +5,12 @@ use pforms_operators as operators;
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
 
-use crate::arguments::{form, listed_forms, reals, wholes};
+use crate::arguments::{form, listed_forms, reals, require_finite, wholes};
 use crate::arrays::Numbers;
 use crate::errors::{done, fail, mistyped, raised};
 use crate::form::PyForm;
+use crate::operators::immersion_work;
+use crate::slices::require_feasible;
 
 /// The immersed segment from parameter point ``a`` to parameter point ``b`` of the host.
 ///
@@ -39,6 +41,8 @@ pub(crate) fn segment(
 ) -> PyResult<PyForm> {
     let form = form("host", host)?;
     let (from, to) = (reals("a", a, 1)?, reals("b", b, 1)?);
+    require_finite("a", &from)?;
+    require_finite("b", &to)?;
     let cost = form.homogeneous().len().saturating_mul(form.axes() + 1);
     done(host.py(), cost, || operators::segment(&form, &from, &to)).map(PyForm::from)
 }
@@ -72,6 +76,7 @@ pub(crate) fn polyline(
         let received = format!("an array of shape {:?}", points.shape());
         return fail(&Error::shape("points", received, format!("shape (m, {})", form.axes())));
     };
+    require_finite("points", points.values())?;
     let lists: Vec<&[f64]> = match width {
         0 => vec![&[]; count],
         _ => points.values().chunks_exact(width).collect(),
@@ -117,6 +122,9 @@ pub(crate) fn tile(
     let cage = form("cage", cage)?;
     let list = listed_forms("cells", cells)?;
     let counts = wholes("counts", counts, cage.axes())?;
+    let copies: f64 = counts.iter().map(|&count| count as f64).product();
+    let work: f64 = list.iter().map(|cell| immersion_work(cell, &cage)).sum();
+    require_feasible("the tiling", copies * work)?;
     let tiles = done(cells.py(), usize::MAX, || operators::tile(&list, &cage, &counts))?;
     Ok(tiles.into_iter().map(PyForm::from).collect())
 }

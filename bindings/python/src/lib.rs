@@ -22,6 +22,7 @@ mod operators;
 mod parameters;
 mod piecewise;
 mod sheet;
+mod slices;
 mod values;
 mod vectors;
 

@@ -7,10 +7,11 @@ use pyo3::prelude::*;
 use pyo3::types::{PyList, PyString, PyTuple};
 use pyo3::{IntoPyObjectExt, intern};
 
-use crate::arguments::{wholes, word};
+use crate::arguments::{truth, wholes, word};
 use crate::arrays::{Numbers, array};
-use crate::errors::{done, fail, raised};
+use crate::errors::{done, fail, raised, renamed};
 use crate::form::{PyForm, from_euclidean, from_homogeneous};
+use crate::slices::require_feasible;
 
 /// The form of the same orders through a net of points, at the nodes of each axis.
 ///
@@ -33,6 +34,8 @@ use crate::form::{PyForm, from_euclidean, from_homogeneous};
 ///     When two nodes of an axis coincide.
 /// ShapeError, DomainError
 ///     When their number is not the order; for NaN, and for points at infinity.
+/// LimitError
+///     Above 1e11 multiplications.
 ///
 /// Examples
 /// --------
@@ -41,20 +44,23 @@ use crate::form::{PyForm, from_euclidean, from_homogeneous};
 /// array([1., 1.])
 #[pyfunction]
 #[pyo3(
-    signature = (net, nodes=None, homogeneous=false),
+    signature = (net, nodes=None, homogeneous=None),
     text_signature = "(net, nodes='uniform', homogeneous=False)"
 )]
 pub(crate) fn interpolate(
     net: &Bound<'_, PyAny>,
     nodes: Option<&Bound<'_, PyAny>>,
-    homogeneous: bool,
+    homogeneous: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<PyForm> {
     let py = net.py();
+    let homogeneous = homogeneous.map_or(Ok(false), |given| truth("homogeneous", given))?;
     let net = read_net(net, homogeneous)?;
     let nodes = nodes.map_or(Ok(Nodes::Uniform), read_nodes)?;
-    let orders = net.orders().iter();
-    let cost = orders.fold(net.homogeneous().len(), |cost, order| cost.saturating_mul(*order));
-    let solved = done(py, cost, || {
+    let orders = net.orders().iter().map(|&order| order as f64);
+    let passes = orders.map(|order| order * (order * order + net.homogeneous().len() as f64));
+    let cost = passes.sum();
+    require_feasible("the interpolation", cost)?;
+    let solved = done(py, cost as usize, || {
         if homogeneous {
             operators::interpolate_homogeneous(&net, &nodes)
         } else {
@@ -125,7 +131,7 @@ fn read_nodes(nodes: &Bound<'_, PyAny>) -> PyResult<Nodes> {
 /// True
 #[pyfunction]
 #[pyo3(
-    signature = (points, orders, params=None, *, weights=None, ends=false, report=false),
+    signature = (points, orders, params=None, *, weights=None, ends=None, report=None),
     text_signature = "(points, orders, params='chord', *, weights=None, ends=False, report=False)"
 )]
 pub(crate) fn fit<'py>(
@@ -133,8 +139,8 @@ pub(crate) fn fit<'py>(
     orders: &Bound<'py, PyAny>,
     params: Option<&Bound<'py, PyAny>>,
     weights: Option<&Bound<'py, PyAny>>,
-    ends: bool,
-    report: bool,
+    ends: Option<&Bound<'py, PyAny>>,
+    report: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Bound<'py, PyAny>> {
     let py = points.py();
     let points = Numbers::read("points", points)?;
@@ -143,10 +149,14 @@ pub(crate) fn fit<'py>(
         orders: wholes("orders", orders, axes)?,
         parameters: params.map_or(Ok(Parameters::default()), read_parameters)?,
         weights: weights.map(|weights| read_weights(weights, &points)).transpose()?,
-        ends,
+        ends: ends.map_or(Ok(false), |ends| truth("ends", ends))?,
     };
+    let report = report.map_or(Ok(false), |report| truth("report", report))?;
     let (values, shape) = (points.values(), points.shape());
-    let fit = done(py, usize::MAX, || operators::fit(values, shape, &options))?;
+    let fit = done(py, usize::MAX, || {
+        operators::fit(values, shape, &options)
+            .map_err(|error| renamed(error, "parameters", "params"))
+    })?;
     if report { reported(py, fit) } else { PyForm::from(fit.form).into_bound_py_any(py) }
 }
 

@@ -9,12 +9,13 @@ use pforms_operators::{
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
 
-use crate::arguments::{real, word};
+use crate::arguments::{real, truth, word};
 use crate::arrays::filled;
 use crate::columns::Columns;
-use crate::errors::{done, fail};
+use crate::errors::fail;
 use crate::form::PyForm;
 use crate::parameters::Parameters;
+use crate::slices::{SLICE, fill_grid, fill_scattered, in_slices, slice_of};
 
 const KINDS: [&str; 3] = ["frenet", "rotation-minimising", "tangent"];
 
@@ -56,17 +57,21 @@ impl PyForm {
         out: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
         let parameters = Parameters::read(&[u.clone(), v.clone()])?;
-        let cost = parameters.count().saturating_mul(self.form.homogeneous().len());
+        let (py, cost) = (u.py(), 4 * self.form.homogeneous().len());
         let (form, shape) = (&self.form, parameters.shape());
         if let Some(lists) = parameters.grid() {
-            return filled(u.py(), shape, Some(3), out, cost, |normals| {
-                operators::normal_grid_into(form, &lists, normals)
+            return filled(py, shape, Some(3), out, |normals| {
+                fill_grid(py, &lists, cost, normals, &|lists, part| {
+                    operators::normal_grid_into(form, lists, part)
+                })
             });
         }
         let lists = parameters.scattered();
         let lists: Vec<&[f64]> = lists.iter().map(AsRef::as_ref).collect();
-        filled(u.py(), shape, Some(3), out, cost, |normals| {
-            operators::normals_into(form, &lists, normals)
+        filled(py, shape, Some(3), out, |normals| {
+            fill_scattered(py, (&lists, parameters.count()), cost, normals, |lists, part| {
+                operators::normals_into(form, lists, part)
+            })
         })
     }
 
@@ -103,14 +108,14 @@ impl PyForm {
     /// >>> frame.normal, frame.binormal
     /// (array([0., 1., 0.]), array([0., 0., 1.]))
     #[pyo3(
-        signature = (*parameters, kind=None, unit=true, accuracy=None),
+        signature = (*parameters, kind=None, unit=None, accuracy=None),
         text_signature = "($self, *parameters, kind='frenet', unit=True, accuracy=1e-10)"
     )]
     fn frame<'py>(
         &self,
         parameters: &Bound<'py, PyTuple>,
         kind: Option<&Bound<'py, PyAny>>,
-        unit: bool,
+        unit: Option<&Bound<'py, PyAny>>,
         accuracy: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
         let kind = match kind.map(|kind| word("kind", kind, &KINDS)).transpose()? {
@@ -118,9 +123,14 @@ impl PyForm {
             Some("tangent") => FrameKind::Tangent,
             _ => FrameKind::Frenet,
         };
+        let unit = unit.map_or(Ok(true), |unit| truth("unit", unit))?;
         let accuracy = accuracy.map_or(Ok(ACCURACY), |accuracy| real("accuracy", accuracy))?;
+        if accuracy.is_nan() || accuracy <= 0.0 {
+            return fail(&Error::domain("accuracy", accuracy, "a positive angle"));
+        }
+        let carried = kind == FrameKind::RotationMinimising && self.form.axes() == 1;
         let question = Question { form: &self.form, kind, unit, accuracy };
-        self.columns(parameters, |lists, columns| question.answer(lists, columns))?
+        self.columns(parameters, carried, |lists, columns| question.answer(lists, columns))?
             .into_frame(parameters.py())
     }
 
@@ -138,7 +148,7 @@ impl PyForm {
     /// -4.0
     #[pyo3(signature = (*parameters))]
     fn curvature<'py>(&self, parameters: &Bound<'py, PyTuple>) -> PyResult<Bound<'py, PyAny>> {
-        let columns = self.columns(parameters, |lists, columns| {
+        let columns = self.columns(parameters, false, |lists, columns| {
             for i in 0..lists.first().map_or(0, |list| list.len()) {
                 let at: Vec<f64> = lists.iter().map(|list| list[i]).collect();
                 match operators::curvature(&self.form, &at)? {
@@ -159,27 +169,60 @@ impl PyForm {
 const ACCURACY: f64 = 1e-10;
 
 impl PyForm {
-    /// Columns of numbers, filled point after point without the lock.
+    /// Columns of numbers, filled slice after slice without the lock.
+    ///
+    /// What is `carried` from one parameter to the next comes in slices that go all the way, each
+    /// with every n-th parameter.
     fn columns(
         &self,
         parameters: &Bound<'_, PyTuple>,
-        fill: impl FnOnce(&[&[f64]], &mut Columns) -> Result<()> + Send,
+        carried: bool,
+        mut fill: impl FnMut(&[&[f64]], &mut Columns) -> Result<()> + Send,
     ) -> PyResult<Columns> {
-        let list: Vec<_> = parameters.iter().collect();
+        let (py, list): (_, Vec<_>) = (parameters.py(), parameters.iter().collect());
         let read = Parameters::read(&list)?;
         if self.form.axes() == 0 {
             return fail(&Error::shape("form", "a point", "a form with at least one axis"));
         }
+        let count = read.count();
+        let cost = 100 * self.form.homogeneous().len();
+        let stride = match carried {
+            true => count.div_ceil(slice_of(cost).max(LONG)).max(1),
+            false => 1,
+        };
         let lists = read.scattered();
-        let lists: Vec<&[f64]> = lists.iter().map(AsRef::as_ref).collect();
-        let cost = read.count().saturating_mul(100 * self.form.homogeneous().len());
         let mut columns = Columns::new(read.shape());
-        done(parameters.py(), cost, || {
+        let (slices, cost) = if carried { (stride, SLICE) } else { (count.max(1), cost) };
+        in_slices(py, slices, cost, |range| {
+            let chosen = if carried { range.start..count } else { range };
+            // Without parameters, the names and widths are those somewhere.
+            let at = |list: &[f64]| match count {
+                0 => vec![SOMEWHERE],
+                _ => chosen.clone().step_by(stride).map(|i| list[i]).collect(),
+            };
+            let lists: Vec<Vec<f64>> = lists.iter().map(|list| at(list)).collect();
+            let lists: Vec<&[f64]> = lists.iter().map(Vec::as_slice).collect();
             self.form.require_per_axis("parameters", &lists)?;
             fill(&lists, &mut columns)
         })?;
+        match count {
+            0 => columns.clear(),
+            _ if stride > 1 => columns.rearrange(&strided(count, stride)),
+            _ => {}
+        }
         Ok(columns)
     }
+}
+
+/// Parameters that are worth going all the way for.
+const LONG: usize = 1 << 12;
+
+/// A parameter like any other.
+const SOMEWHERE: f64 = 0.381_966;
+
+/// The numbers below `count`: every `stride`-th from 0, then from 1, and so on.
+fn strided(count: usize, stride: usize) -> Vec<usize> {
+    (0..stride).flat_map(|start| (start..count).step_by(stride)).collect()
 }
 
 /// What is asked about a frame.

@@ -6,11 +6,12 @@ use pforms_operators::{self as operators, Reduction};
 use pyo3::prelude::*;
 use pyo3::types::{PyString, PyTuple};
 
-use crate::arguments::{axis, levels, real, reals, wholes};
+use crate::arguments::{axis, level, real, reals, wholes};
 use crate::arrays::{Numbers, array};
 use crate::errors::{done, fail, raised};
 use crate::form::PyForm;
 use crate::piecewise::PyPiecewise;
+use crate::slices::require_feasible;
 
 #[pymethods]
 impl PyForm {
@@ -99,7 +100,9 @@ impl PyForm {
     /// <pforms.Piecewise of 2 pieces pL3 in 2D>
     #[pyo3(signature = (r))]
     fn subdivide(&self, r: &Bound<'_, PyAny>) -> PyResult<PyPiecewise> {
-        let levels = levels(&wholes("r", r, self.form.axes())?);
+        let levels = wholes("r", r, self.form.axes())?;
+        let levels: Vec<u32> =
+            levels.into_iter().map(|r| level("r", r)).collect::<PyResult<_>>()?;
         done(r.py(), self.cost(), || operators::subdivide(&self.form, &levels))
             .map(PyPiecewise::from)
     }
@@ -351,8 +354,27 @@ fn check_derivative(form: &Form, orders: &[usize]) -> PyResult<()> {
 }
 
 /// `host ∘ inner`.
+///
+/// Errors: `LimitError` when that would take too long.
 pub(crate) fn immersed(py: Python<'_>, inner: &Form, host: &Form) -> PyResult<PyForm> {
+    require_feasible("the immersion", immersion_work(inner, host))?;
     let plan = operators::forecast::<f64>(inner.orders(), host.orders(), host.ambient());
     let cost = usize::try_from(plan.poles).unwrap_or(usize::MAX).saturating_mul(host.width());
     done(py, cost, || operators::immerse(inner, host)).map(PyForm::from)
+}
+
+/// About how many multiplications an immersion takes: the axes of the host are contracted one by
+/// one, with polynomials of ever higher degree.
+pub(crate) fn immersion_work(inner: &Form, host: &Form) -> f64 {
+    let size = |degree: usize| -> f64 {
+        inner.orders().iter().map(|order| (degree * (order - 1) + 1) as f64).product()
+    };
+    let mut degree = 0;
+    let mut work = 0.0;
+    for (axis, order) in host.orders().iter().enumerate().rev() {
+        let products: f64 = host.orders()[..=axis].iter().map(|&order| order as f64).product();
+        work += products * size(degree) * size(order - 1) * host.width() as f64;
+        degree += order - 1;
+    }
+    work
 }

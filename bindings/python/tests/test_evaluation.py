@@ -1,5 +1,7 @@
 """Points and derivatives against the definition in NumPy; broadcasting; arrays of the caller's."""
 
+from functools import partial
+
 import numpy as np
 import pytest
 
@@ -196,3 +198,17 @@ def test_lazy_immersion_is_the_immersion(make, rng):
         1,
         3,
     )
+
+
+def test_slices_are_the_whole(make, rng):
+    form, same = make(9, 9), partial(np.testing.assert_allclose, rtol=1e-10, atol=1e-14)
+    u, v = rng.uniform(0, 1, (2, 200_000))
+    some = slice(None, None, 9973)
+    same(form(u, v)[some], form(u[some], v[some]))
+    same(form.normals(u, v)[some], form.normals(u[some], v[some]))
+    for call in (form.evaluate, form.normals):
+        for rows, columns in ((1, 200_000), (200_000, 1), (500, 400), (3, 70_001)):
+            s, t = u[:rows, None], v[:columns]
+            whole = call(s, t)
+            part = slice(None, None, max(1, columns // 7))
+            same(whole[::101, part], call(s[::101], t[part]))

@@ -193,3 +193,43 @@ def test_nodes_may_be_an_array_with_a_row_for_each_axis():
     net = np.arange(18.0).reshape(3, 3, 2) ** 2
     nodes = [[0, 0.25, 1], [0, 0.5, 2]]
     assert pf.interpolate(net, nodes=np.array(nodes)) == pf.interpolate(net, nodes=nodes)
+
+
+def test_what_would_take_too_long_is_refused(make):
+    inner, host = make(30, 30, ambient=2), make(30, 30)
+    for call in (
+        lambda: pf.immerse(inner, host),
+        lambda: host(inner),
+        lambda: pf.immerse(inner, host, lazy=True).expand(),
+        lambda: pf.tile([make(9, 9, ambient=2)], make(9, 9), 100),
+        lambda: pf.interpolate(np.zeros((10**4, 1))),
+    ):
+        with pytest.raises(pf.LimitError, match="multiplications: refused, the cap is 1e11"):
+            call()
+
+
+@pytest.mark.parametrize(
+    ("name", "call"),
+    [
+        ("params", lambda: pf.fit([(0, 0), (1, 1)], 2, [0, np.nan])),
+        ("params", lambda: pf.fit([(0, 0), (1, 1)], 2, [0, 0.5, 1])),
+        ("ends", lambda: pf.fit([(0, 0), (1, 1)], 2, ends="x")),
+        ("report", lambda: pf.fit([(0, 0), (1, 1)], 2, report="x")),
+        ("net", lambda: pf.interpolate([(0, 0), (1, np.nan)])),
+        ("homogeneous", lambda: pf.interpolate([(0, 0), (1, 1)], homogeneous="x")),
+        ("a", lambda: pf.segment(pf.Form([(0, 0), (1, 1)]), [np.nan], [1])),
+        ("b", lambda: pf.segment(pf.Form([(0, 0), (1, 1)]), [0], [np.inf])),
+        ("points", lambda: pf.polyline(pf.Form([(0, 0), (1, 1)]), [[0], [np.nan]])),
+        ("lazy", lambda: pf.immerse(pf.Form([(0,), (1,)]), pf.Form([(0, 0), (1, 1)]), lazy="x")),
+        ("array", lambda: pf.Form.from_homogeneous([(0, np.nan)])),
+        ("point", lambda: pf.Form([(0, 0), (1, 1)]).with_pole(0, (np.nan, 0))),
+        ("weight", lambda: pf.Form([(0, 0), (1, 1)]).with_pole(0, (0, 0), weight="a")),
+        ("weight", lambda: pf.Form([(0, 0), (1, 1)]).with_pole(0, (0, 0), weight=np.nan)),
+        ("unit", lambda: pf.Form([(0, 0), (1, 1)]).frame(0.5, unit="x")),
+        ("factor", lambda: pf.Form([(0, 0), (1, 1)]) * np.nan),
+        ("divisor", lambda: pf.Form([(0, 0), (1, 1)]) / np.nan),
+    ],
+)
+def test_a_wrong_argument_is_named(name, call):
+    with pytest.raises(pf.PformsError, match=f"^{name}: received .*, expected"):
+        call()

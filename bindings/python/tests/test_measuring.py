@@ -125,3 +125,30 @@ def test_forms_without_the_answer_say_so(make):
     ):
         with pytest.raises(pf.ShapeError, match="received .*, expected"):
             call()
+
+
+def test_no_parameters_give_empty_arrays(make):
+    frame = make(4).frame([])
+    assert frame.point.shape == frame.tangent.shape == frame.binormal.shape == (0, 3)
+    assert frame.curvature.shape == (0,)
+    assert "normal" not in make(4).frame([], kind="tangent")
+    frame = make(3, 3).frame(np.empty((2, 1)), np.empty((1, 0)))
+    assert frame.normal.shape == (2, 0, 3)
+    assert make(3, 3).curvature([], 0).principal.shape == (0, 2)
+    assert make(2, 2, 2).frame([], 0, 0).jacobian.shape == (0,)
+    assert make(4).curvature([]).shape == (0,)
+
+
+@pytest.mark.parametrize("kind", ["frenet", "rotation-minimising"])
+def test_frames_in_slices_are_those_in_one_piece(make, kind):
+    curve = make(6)
+    t = np.linspace(0, 1, 20_000)
+    frame, few = curve.frame(t, kind=kind), curve.frame(t[::1999], kind=kind)
+    for name in ("point", "tangent", "normal", "binormal", "curvature"):
+        np.testing.assert_allclose(frame[name][::1999], few[name], rtol=1e-8, atol=1e-8)
+
+
+@pytest.mark.parametrize("accuracy", [np.nan, -1, 0])
+def test_an_accuracy_is_an_angle(make, accuracy):
+    with pytest.raises(pf.DomainError, match="^accuracy: received .*, expected a positive angle"):
+        make(4).frame(0.5, accuracy=accuracy)

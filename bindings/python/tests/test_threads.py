@@ -1,12 +1,14 @@
 """Work is done without Python's lock, and forms are shared between threads and processes."""
 
 import multiprocessing
+import signal
 import sys
 import threading
 import time
 from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
+import pytest
 
 import pforms as pf
 
@@ -82,3 +84,47 @@ def test_evaluation_does_not_slow_down_over_time(make):
         form(t[:, None], t)
     assert sys.getrefcount(form) == begin
     assert time.perf_counter() - start < 30
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="there are no timers that signal")
+@pytest.mark.parametrize(
+    "work",
+    [
+        lambda t: curve().frame(t, kind="rotation-minimising"),
+        lambda t: curve().frame(t),
+        lambda t: surface()(t, t),
+        lambda t: surface().grid(2, np.resize(t, 10**7)),
+        lambda t: surface().normals(t, t),
+        lambda t: surface().evaluate(t, t, derivative=(2, 2)),
+        lambda t: surface().subdivide(2)(t, t),
+    ],
+)
+def test_long_work_is_interrupted(work):
+    def interrupt(*_):
+        raise KeyboardInterrupt
+
+    before = signal.signal(signal.SIGALRM, interrupt)
+    start = time.monotonic()
+    try:
+        signal.setitimer(signal.ITIMER_REAL, 0.1)
+        with pytest.raises(KeyboardInterrupt):
+            again_and_again(work)
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, before)
+    # A fraction of a second on a machine that has nothing else to do.
+    assert time.monotonic() - start < 5
+
+
+def again_and_again(work):
+    t = np.linspace(0, 1, 10**6)
+    while True:
+        work(t)
+
+
+def curve():
+    return pf.Form(np.random.default_rng(1).uniform(-1, 1, (30, 3)))
+
+
+def surface():
+    return pf.Form(np.random.default_rng(1).uniform(-1, 1, (20, 20, 3)))

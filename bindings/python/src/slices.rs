@@ -1,0 +1,98 @@
+//! Long work in slices, between which Python may interrupt it.
+
+use std::ops::Range;
+
+use pforms_kernel::Result;
+use pyo3::prelude::*;
+
+use crate::errors::{LimitError, done};
+
+/// Multiplications in a slice: a few hundredths of a second.
+pub(crate) const SLICE: usize = 1 << 24;
+
+/// Slices of so many points or a multiple of them fill whole blocks of lanes.
+const BLOCK: usize = 64;
+
+/// Multiplications allowed to what cannot be sliced: some ten seconds.
+const MOST: f64 = 1e11;
+
+/// Does a job for one range after another of `count` points of about `cost` multiplications each.
+///
+/// Errors: those of the job, and `KeyboardInterrupt` or whatever else a signal raises.
+pub(crate) fn in_slices(
+    py: Python<'_>,
+    count: usize,
+    cost: usize,
+    mut job: impl FnMut(Range<usize>) -> Result<()> + Send,
+) -> PyResult<()> {
+    let step = slice_of(cost);
+    let mut start = 0;
+    loop {
+        let end = count.min(start + step);
+        done(py, cost.saturating_mul(end - start), || job(start..end))?;
+        if end == count {
+            return Ok(());
+        }
+        py.check_signals()?;
+        start = end;
+    }
+}
+
+/// Number of points in a slice.
+pub(crate) fn slice_of(cost: usize) -> usize {
+    match SLICE / cost.max(1) {
+        few @ ..BLOCK => few.max(1),
+        many => many / BLOCK * BLOCK,
+    }
+}
+
+/// Fills `out` at `count` scattered points: `lists[k][i]` is parameter `k` of point `i`.
+pub(crate) fn fill_scattered(
+    py: Python<'_>,
+    (lists, count): (&[&[f64]], usize),
+    cost: usize,
+    out: &mut [f64],
+    fill: impl Fn(&[&[f64]], &mut [f64]) -> Result<()> + Sync,
+) -> PyResult<()> {
+    let width = out.len() / count.max(1);
+    in_slices(py, count, cost, |range| {
+        let part: Vec<&[f64]> = lists.iter().map(|list| &list[range.clone()]).collect();
+        fill(&part, &mut out[range.start * width..range.end * width])
+    })
+}
+
+/// Fills `out` on the grid of the lists, halving what would take longer than a slice.
+pub(crate) fn fill_grid(
+    py: Python<'_>,
+    lists: &[&[f64]],
+    cost: usize,
+    out: &mut [f64],
+    fill: &(impl Fn(&[&[f64]], &mut [f64]) -> Result<()> + Sync),
+) -> PyResult<()> {
+    let work = lists.iter().fold(cost, |work, list| work.saturating_mul(list.len()));
+    let Some(axis) = lists.iter().position(|list| list.len() > 1).filter(|_| work > SLICE) else {
+        return done(py, work, || fill(lists, out));
+    };
+    let list = lists[axis];
+    let half = list.len() / 2;
+    let (low, high) = out.split_at_mut(out.len() / list.len() * half);
+    let mut part = lists.to_vec();
+    part[axis] = &list[..half];
+    fill_grid(py, &part, cost, low, fill)?;
+    py.check_signals()?;
+    part[axis] = &list[half..];
+    fill_grid(py, &part, cost, high, fill)
+}
+
+/// Refuses what could not be interrupted and would take too long.
+///
+/// Errors: `LimitError` above 1e11 multiplications.
+pub(crate) fn require_feasible(what: &str, multiplications: f64) -> PyResult<()> {
+    if multiplications <= MOST {
+        return Ok(());
+    }
+    Err(LimitError::new_err(format!(
+        "{what} would take about {multiplications:.0e} multiplications: refused, the cap is \
+         {MOST:.0e}"
+    )))
+}
