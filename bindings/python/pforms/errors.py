@@ -65,6 +65,6 @@ class FormatError(PformsError):
 
 
 class LimitError(PformsError):
-    """A result larger than the cap on allocations; the message has its forecast size."""
+    """A result larger than the cap on allocations, or more work than anybody waits for."""
 
     __module__ = "pforms"

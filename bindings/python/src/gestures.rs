@@ -161,7 +161,7 @@ pub(crate) fn bernstein<'py>(
         Ok(())
     };
     filled(t.py(), parameters.shape(), None, None, |out| {
-        let (count, cost) = (parameters.count(), CALL + n);
+        let (count, cost) = (parameters.count(), CALL + 32 * n);
         fill_scattered(t.py(), (&[list[0].as_ref()], count), cost, out, fill)
     })
 }

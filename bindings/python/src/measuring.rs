@@ -184,31 +184,27 @@ impl PyForm {
         if self.form.axes() == 0 {
             return fail(&Error::shape("form", "a point", "a form with at least one axis"));
         }
-        let count = read.count();
+        // Without parameters, the names and widths are those somewhere.
+        let (count, given) = (read.count().max(1), read.scattered());
+        let list = |list| if read.count() == 0 { &[SOMEWHERE][..] } else { list };
+        let lists: Vec<&[f64]> = given.iter().map(|given| list(given)).collect();
         let cost = 100 * self.form.homogeneous().len();
-        let stride = match carried {
-            true => count.div_ceil(slice_of(cost).max(LONG)).max(1),
-            false => 1,
-        };
-        let lists = read.scattered();
+        let stride = if carried { count.div_ceil(slice_of(cost).max(LONG)) } else { 1 };
+        let (slices, cost) = if carried { (stride, SLICE) } else { (count, cost) };
         let mut columns = Columns::new(read.shape());
-        let (slices, cost) = if carried { (stride, SLICE) } else { (count.max(1), cost) };
         in_slices(py, slices, cost, |range| {
             let chosen = if carried { range.start..count } else { range };
-            // Without parameters, the names and widths are those somewhere.
-            let at = |list: &[f64]| match count {
-                0 => vec![SOMEWHERE],
-                _ => chosen.clone().step_by(stride).map(|i| list[i]).collect(),
-            };
-            let lists: Vec<Vec<f64>> = lists.iter().map(|list| at(list)).collect();
-            let lists: Vec<&[f64]> = lists.iter().map(Vec::as_slice).collect();
-            self.form.require_per_axis("parameters", &lists)?;
-            fill(&lists, &mut columns)
+            let part = |list: &&[f64]| chosen.clone().step_by(stride).map(|i| list[i]).collect();
+            let part: Vec<Vec<f64>> = lists.iter().map(part).collect();
+            let part: Vec<&[f64]> = part.iter().map(Vec::as_slice).collect();
+            self.form.require_per_axis("parameters", &part)?;
+            fill(&part, &mut columns)
         })?;
-        match count {
-            0 => columns.clear(),
-            _ if stride > 1 => columns.rearrange(&strided(count, stride)),
-            _ => {}
+        if stride > 1 {
+            columns.rearrange(&strided(count, stride));
+        }
+        if read.count() == 0 {
+            columns.clear();
         }
         Ok(columns)
     }
