@@ -234,3 +234,21 @@ fn straight_lines_and_points() {
     let jagged = curve(3, &[0., 0., 0., 9., 9., 0., -9., 9., 9., 1., 0., 0., 4., 4., 9.]);
     assert_eq!(family(curve_frames(&jagged, &[1.0], kind, 1e-300)), "Accuracy");
 }
+
+#[test]
+fn dense_parameters_far_from_0_keep_their_accuracy_and_distant_ones_are_refused() {
+    let curve: Form =
+        Form::from_points(&[4], 3, &[0., 0., 0., 1., 2., 0., 2., -2., 1., 3., 0., 3.], None)
+            .unwrap();
+    let kind = FrameKind::RotationMinimising;
+    let dense: Vec<f64> = (0..=20_000).map(|i| 0.5 + f64::from(i) / 40_000.0).collect();
+    let frames = curve_frames(&curve, &dense, kind, 1e-9).unwrap();
+    let alone = curve_frames(&curve, &[1.0], kind, 1e-9).unwrap();
+    let (last, single) = (frames.last().unwrap(), &alone[0]);
+    for (a, b) in last.normal.iter().flatten().zip(single.normal.iter().flatten()) {
+        assert!((a - b).abs() <= 2e-9, "{a} for {b}");
+    }
+    for far in [5000.0, -1e9, f64::MAX] {
+        assert_eq!(curve_frames(&curve, &[far], kind, 1e-3).unwrap_err().family(), "Domain");
+    }
+}

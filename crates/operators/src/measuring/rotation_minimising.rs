@@ -9,11 +9,15 @@ use pforms_kernel::{Error, Form, Result};
 use super::curve_frame::{CurveFrame, Station};
 use super::vector::{dot, norm, plus, unit};
 
-/// Steps a unit of parameter is cut into at first.
+/// Steps that a unit of parameter is cut into at first.
 const FIRST_STEPS: f64 = 16.0;
 
-/// Steps after which an accuracy is out of reach: rounding has taken over.
+/// Steps after which an accuracy is out of reach: rounding has taken over. Those that the parameters
+/// themselves ask for are not counted.
 const MOST_STEPS: usize = 1 << 16;
+
+/// How far from 0 a frame is carried: as far as the first steps can go.
+const REACH: f64 = MOST_STEPS as f64 / FIRST_STEPS;
 
 /// One frame for each parameter, the normals within `accuracy` radians.
 pub(crate) fn rotation_minimising(
@@ -23,6 +27,10 @@ pub(crate) fn rotation_minimising(
 ) -> Result<Vec<CurveFrame>> {
     if accuracy.is_nan() || accuracy <= 0.0 {
         return Err(Error::domain("accuracy", accuracy, "a positive angle"));
+    }
+    if let Some(far) = parameters.iter().find(|t| t.abs() > REACH) {
+        let expected = format!("parameters between {} and {REACH}, carried from 0", -REACH);
+        return Err(Error::domain("parameters", far, expected));
     }
     let stations: Vec<Station> =
         parameters.iter().map(|t| Station::new(curve, *t)).collect::<Result<_>>()?;
@@ -39,7 +47,7 @@ pub(crate) fn rotation_minimising(
         if change <= 8.0 * accuracy {
             break;
         }
-        if walk.steps(cuts) > MOST_STEPS {
+        if walk.steps(cuts) > MOST_STEPS + parameters.len() {
             return Err(Error::accuracy("accuracy", accuracy, format!("about {change:e}")));
         }
     }
@@ -73,7 +81,7 @@ impl<'a> Walk<'a> {
             let mut here = 0.0;
             let steps = side.iter().map(|&i| {
                 let there = self.parameters[i];
-                let steps = steps_between(here, there) * cuts;
+                let steps = steps_between(here, there, cuts);
                 here = there;
                 steps
             });
@@ -82,7 +90,7 @@ impl<'a> Walk<'a> {
         self.sides.iter().map(gaps).sum()
     }
 
-    /// The normal at every parameter, each gap cut into `cuts` times the first steps.
+    /// The normal at every parameter, in steps `cuts` times shorter than the first.
     fn normals(&self, cuts: usize) -> Result<Vec<Vec<f64>>> {
         let mut normals = vec![Vec::new(); self.parameters.len()];
         for side in &self.sides {
@@ -90,7 +98,7 @@ impl<'a> Walk<'a> {
             let (mut from, mut normal) = (0.0, self.start.clone());
             for &i in side {
                 let to = self.parameters[i];
-                let steps = steps_between(from, to) * cuts;
+                let steps = steps_between(from, to, cuts);
                 for step in 1..=steps {
                     let t = from + (to - from) * (step as f64 / steps as f64);
                     let next = Place::new(self.curve, if step == steps { to } else { t })?;
@@ -105,8 +113,8 @@ impl<'a> Walk<'a> {
     }
 }
 
-fn steps_between(from: f64, to: f64) -> usize {
-    ((to - from).abs() * FIRST_STEPS).ceil() as usize
+fn steps_between(from: f64, to: f64, cuts: usize) -> usize {
+    ((to - from).abs() * FIRST_STEPS * cuts as f64).ceil() as usize
 }
 
 /// A point of the curve and its unit tangent.
