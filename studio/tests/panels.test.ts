@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import type { CellInfo, Operator, Update } from "../src/engine/protocol";
+import type { CellInfo, Operator } from "../src/engine/protocol";
 import { preferredLanguage } from "../src/i18n";
 import { TABLE } from "../src/i18n/table";
 import { figureOf, groups } from "../src/panels/figures";
@@ -8,6 +8,7 @@ import { matches } from "../src/panels/functions";
 import { defaultStyle, PALETTE } from "../src/panels/styles";
 import { columnWidths } from "../src/sheet/widths";
 import { Store } from "../src/store";
+import { update } from "./update";
 
 function cell(address: string, part: Partial<CellInfo> = {}): CellInfo {
   return {
@@ -23,25 +24,6 @@ function cell(address: string, part: Partial<CellInfo> = {}): CellInfo {
     modes: [],
     reads: [],
     pending: false,
-    ...part,
-  };
-}
-
-function update(part: Partial<Update>): Update {
-  return {
-    title: "",
-    cells: [],
-    removed: [],
-    drawings: [],
-    hidden: [],
-    poles: [],
-    camera: null,
-    notes: null,
-    canUndo: false,
-    canRedo: false,
-    whole: false,
-    pending: 0,
-    undrawn: [],
     ...part,
   };
 }

@@ -1,27 +1,9 @@
 import { beforeEach, describe, expect, it, vi } from "vitest";
 import { EngineClient, type Port } from "../src/engine/client";
-import type { Request, Response, Update } from "../src/engine/protocol";
+import type { Request, Response } from "../src/engine/protocol";
 import { Session } from "../src/session";
 import { Store } from "../src/store";
-
-function update(part: Partial<Update> = {}): Update {
-  return {
-    title: "",
-    cells: [],
-    removed: [],
-    drawings: [],
-    hidden: [],
-    poles: [],
-    camera: null,
-    notes: null,
-    canUndo: false,
-    canRedo: false,
-    whole: false,
-    pending: 0,
-    undrawn: [],
-    ...part,
-  };
-}
+import { update } from "./update";
 
 /** A kernel that answers at once, by a table; it remembers what it was asked. */
 class QuickPort implements Port {

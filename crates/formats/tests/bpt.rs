@@ -52,7 +52,7 @@ fn what_is_written_reads_back_the_same() {
 fn what_it_cannot_hold_is_refused() {
     let curve = Form::from_points(&[2], 3, &[0.0; 6], None).unwrap();
     assert_eq!(bpt::write(&[curve.into()]).unwrap_err().family(), "Shape");
-    let rational = common::octant([1.0; 3]);
+    let rational = pforms_testkit::octant([1.0; 3]);
     assert_eq!(bpt::write(&[rational.into()]).unwrap_err().family(), "Domain");
 }
 

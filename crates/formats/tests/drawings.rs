@@ -5,9 +5,10 @@ mod common;
 
 use std::collections::HashMap;
 
-use common::{mixed_scene, teapot, whole_sphere};
+use common::{mixed_scene, teapot};
 use pforms_formats::{FORMATS, Format, glb, obj, stl, write_forms, write_scene};
 use pforms_scene::{Scene, Shapes, Style};
+use pforms_testkit::whole_sphere;
 use serde_json::Value;
 
 fn sphere_scene() -> Scene {

@@ -6,9 +6,10 @@ mod common;
 use std::path::PathBuf;
 use std::process::Command;
 
-use common::{mixed_scene, octant, style, teapot};
+use common::{mixed_scene, style, teapot};
 use pforms_formats::pov;
 use pforms_scene::{Camera, Mode, Scene, Shapes, Style, View};
+use pforms_testkit::octant;
 
 fn installed() -> bool {
     Command::new("povray").arg("--version").output().is_ok()

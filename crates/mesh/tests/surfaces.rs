@@ -3,10 +3,11 @@
 
 mod common;
 
-use common::{edge_counts, is_watertight, octant, to_mesh, whole_sphere};
+use common::{edge_counts, is_watertight, to_mesh};
 use pforms_kernel::{Error, Form};
 use pforms_mesh::vector::{dot, norm};
 use pforms_mesh::{Sampling, Triangles, surface, surfaces};
+use pforms_testkit::{octant, whole_sphere};
 use proptest::prelude::*;
 use std::f64::consts::PI;
 

@@ -4,26 +4,12 @@
 use pforms_kernel::{Form, Matrix, Rational, Scalar, binomial};
 use pforms_operators::{
     Piecewise, blossom, combine, derivative, diagonal, diagonal_all, elevate, hodograph, midpoint,
-    partition, raise_together, reduce, reparametrise, reverse, split, stack, stretch, sub,
-    subdivide, transpose, whole_line,
+    partition, raise_together, reparametrise, reverse, split, stack, stretch, sub, subdivide,
+    transpose, whole_line,
 };
-use pforms_testkit::{Random, Weights};
+use pforms_testkit::{Random, Weights, exact_forms};
 
 type Exact = Form<Rational>;
-
-const ROUNDS: u64 = 40;
-
-/// Random forms of 1 to 4 axes in 1 to 4 dimensions, rational or not, with their stream.
-fn forms(axes: std::ops::RangeInclusive<usize>) -> impl Iterator<Item = (Exact, Random)> {
-    (0..ROUNDS).map(move |seed| {
-        let mut random = Random::new(seed);
-        let axes = random.size(*axes.start(), *axes.end());
-        let orders = random.orders(axes, 4);
-        let ambient = random.size(1, 4);
-        let weights = [Weights::One, Weights::Positive, Weights::Any][random.size(0, 2)];
-        (random.form(&orders, ambient, weights), random)
-    })
-}
 
 fn zero() -> Rational {
     Scalar::zero()
@@ -42,7 +28,7 @@ fn assert_same_function(a: &Exact, b: &Exact) {
 
 #[test]
 fn midpoint_is_the_middle_of_the_stack() {
-    for (f, mut random) in forms(0..=3) {
+    for (f, mut random) in exact_forms(0..=3) {
         let count = random.size(1, 5);
         let others: Vec<Exact> = (0..count)
             .map(|_| {
@@ -64,7 +50,7 @@ fn midpoint_is_the_middle_of_the_stack() {
 
 #[test]
 fn stack_has_the_given_forms_at_its_ends() {
-    for (f, mut random) in forms(0..=3) {
+    for (f, mut random) in exact_forms(0..=3) {
         let g: Exact = random.form(f.orders(), f.ambient(), Weights::Positive);
         let generated = stack(&[&f, &g, &f]).unwrap();
         assert_eq!(generated.orders()[0], 3);
@@ -75,7 +61,7 @@ fn stack_has_the_given_forms_at_its_ends() {
 
 #[test]
 fn diagonal_is_the_form_where_two_parameters_agree() {
-    for (f, mut random) in forms(2..=4) {
+    for (f, mut random) in exact_forms(2..=4) {
         let first = random.size(0, f.axes() - 2);
         let second = random.size(first + 1, f.axes() - 1);
         let merged = diagonal(&f, first, second).unwrap();
@@ -93,7 +79,7 @@ fn diagonal_is_the_form_where_two_parameters_agree() {
 
 #[test]
 fn diagonal_of_all_axes_does_not_depend_on_the_order_of_merging() {
-    for (f, _) in forms(3..=4) {
+    for (f, _) in exact_forms(3..=4) {
         let mut from_the_front = f.clone();
         while from_the_front.axes() > 1 {
             from_the_front = diagonal(&from_the_front, 0, 1).unwrap();
@@ -104,7 +90,7 @@ fn diagonal_of_all_axes_does_not_depend_on_the_order_of_merging() {
 
 #[test]
 fn elevation_leaves_the_form_unchanged_and_composes() {
-    for (f, mut random) in forms(0..=4) {
+    for (f, mut random) in exact_forms(0..=4) {
         let by: Vec<usize> = (0..f.axes()).map(|_| random.size(0, 3)).collect();
         let more: Vec<usize> = (0..f.axes()).map(|_| random.size(0, 2)).collect();
         let raised = elevate(&f, &by).unwrap();
@@ -118,82 +104,8 @@ fn elevation_leaves_the_form_unchanged_and_composes() {
 }
 
 #[test]
-fn reduction_undoes_elevation_with_bound_zero() {
-    for (f, mut random) in forms(1..=3) {
-        let by: Vec<usize> = (0..f.axes()).map(|_| random.size(0, 3)).collect();
-        let reduction = reduce(&elevate(&f, &by).unwrap(), &by).unwrap();
-        assert_eq!(reduction.form, f);
-        assert_eq!(reduction.bound, 0.0);
-    }
-}
-
-#[test]
-fn reduction_stays_within_its_bound_and_is_the_least_squares_best() {
-    for seed in 0..ROUNDS {
-        let mut random = Random::new(seed);
-        let orders = [random.size(3, 7)];
-        let f: Exact = random.form(&orders, 2, Weights::Positive);
-        let Ok(reduction) = reduce(&f, &[1]) else { continue };
-        for k in 0..=20 {
-            let t = [Rational::ratio(k, 20)];
-            let gap: f64 = f
-                .at(&t)
-                .unwrap()
-                .iter()
-                .zip(reduction.form.at(&t).unwrap())
-                .map(|(a, b)| (a - b).to_f64().powi(2))
-                .sum::<f64>()
-                .sqrt();
-            assert!(gap <= reduction.bound, "{gap} > {}", reduction.bound);
-        }
-        // Best: the residue is orthogonal to everything that elevation reaches.
-        let polynomial: Exact = random.form(&orders, 1, Weights::One);
-        let best = reduce(&polynomial, &[1]).unwrap().form;
-        let raised = elevate(&best, &[1]).unwrap();
-        let degree = orders[0] - 2;
-        let matrix = pforms_operators::elevation_matrix::<Rational>(degree, 1).unwrap();
-        for j in 0..=degree {
-            let mut product = zero();
-            for i in 0..orders[0] {
-                let residue =
-                    polynomial.homogeneous()[2 * i].clone() - raised.homogeneous()[2 * i].clone();
-                product += residue * matrix.row(i)[j].clone();
-            }
-            assert_eq!(product, zero());
-        }
-    }
-}
-
-#[test]
-fn the_bound_of_a_reduction_has_the_scale_of_the_form() {
-    let points = [0., 0., 1., 3., 2., -1., 3., 0.];
-    let weights = [1., 0.7, 0.3, 2.];
-    let plain: Form = Form::from_points(&[4], 2, &points, Some(&weights)).unwrap();
-    let bound = reduce(&plain, &[1]).unwrap().bound;
-    for power in [-560, -40, 40, 500] {
-        let scale = 2_f64.powi(power);
-        let weighty = plain.map_scalar(|x| x * scale).unwrap();
-        assert_eq!(reduce(&weighty, &[1]).unwrap().bound, bound, "weights and all by 2^{power}");
-        let far = points.map(|x| x * scale);
-        let far: Form = Form::from_points(&[4], 2, &far, Some(&weights)).unwrap();
-        assert_eq!(reduce(&far, &[1]).unwrap().bound, bound * scale, "points by 2^{power}");
-    }
-}
-
-#[test]
-fn weights_of_both_signs_reduce_where_the_weight_has_no_zero() {
-    let points = [0., 0., 1., 1., 2., 0.];
-    let positive: Form = Form::from_points(&[3], 2, &points, Some(&[1., -0.5, 1.])).unwrap();
-    let reduction = reduce(&elevate(&positive, &[2]).unwrap(), &[2]).unwrap();
-    assert!(reduction.bound < 1e-11, "{}", reduction.bound);
-    let zero_inside: Form = Form::from_points(&[3], 2, &points, Some(&[1., -1., 1.])).unwrap();
-    let error = reduce(&zero_inside, &[1]).unwrap_err();
-    assert!(error.to_string().contains("vanishes in the window"), "{error}");
-}
-
-#[test]
 fn subdivision_is_the_form() {
-    for (f, mut random) in forms(1..=3) {
+    for (f, mut random) in exact_forms(1..=3) {
         let r: Vec<u32> = (0..f.axes()).map(|_| random.size(0, 2) as u32).collect();
         let refined: Piecewise<Rational> = subdivide(&f, &r).unwrap();
         for (axis, &levels) in r.iter().enumerate() {
@@ -216,7 +128,7 @@ fn subdivision_is_the_form() {
 
 #[test]
 fn stretch_reads_the_form_on_the_new_window_and_composes() {
-    for (f, mut random) in forms(1..=3) {
+    for (f, mut random) in exact_forms(1..=3) {
         let mut list = || -> Vec<Rational> { (0..f.axes()).map(|_| random.fraction()).collect() };
         let (a, b, c, d, t) = (list(), list(), list(), list(), list());
         let map = |a: &[Rational], b: &[Rational], t: &[Rational]| -> Vec<Rational> {
@@ -238,7 +150,7 @@ fn stretch_reads_the_form_on_the_new_window_and_composes() {
 
 #[test]
 fn split_meets_and_reverse_is_a_stretch() {
-    for (f, mut random) in forms(1..=3) {
+    for (f, mut random) in exact_forms(1..=3) {
         let axis = random.size(0, f.axes() - 1);
         let t: Rational = random.fraction();
         let (low, high) = split(&f, axis, &t).unwrap();
@@ -253,7 +165,7 @@ fn split_meets_and_reverse_is_a_stretch() {
 
 #[test]
 fn operators_on_different_axes_commute() {
-    for (f, mut random) in forms(2..=4) {
+    for (f, mut random) in exact_forms(2..=4) {
         let mut by = vec![0; f.axes()];
         by[0] = 2;
         let t: Rational = random.fraction();
@@ -294,7 +206,7 @@ fn mapped(f: &Exact, matrix: &Matrix<Rational>) -> Exact {
 
 #[test]
 fn operators_commute_with_projective_maps() {
-    for (f, mut random) in forms(2..=3) {
+    for (f, mut random) in exact_forms(2..=3) {
         let width = f.width();
         let rows = (0..width).map(|_| (0..width).map(|_| random.fraction()).collect()).collect();
         let matrix = Matrix::from_rows(rows).unwrap();
@@ -321,7 +233,7 @@ fn operators_commute_with_projective_maps() {
 
 #[test]
 fn blossom_is_symmetric_affine_and_the_point_on_its_diagonal() {
-    for (f, mut random) in forms(1..=2) {
+    for (f, mut random) in exact_forms(1..=2) {
         let arguments: Vec<Vec<Rational>> = f
             .degrees()
             .iter()
@@ -358,7 +270,7 @@ fn blossom_is_symmetric_affine_and_the_point_on_its_diagonal() {
 
 #[test]
 fn reparametrisation_keeps_the_points_and_the_ends() {
-    for (f, mut random) in forms(1..=2) {
+    for (f, mut random) in exact_forms(1..=2) {
         let axis = random.size(0, f.axes() - 1);
         let c = Rational::ratio(random.integer(1, 9), random.integer(1, 5));
         let changed = reparametrise(&f, axis, &c).unwrap();
@@ -399,14 +311,17 @@ fn the_whole_line_of_a_quarter_circle_is_the_circle() {
 
 #[test]
 fn derivatives_are_the_derivatives_of_the_points() {
-    for (f, mut random) in forms(1..=2) {
+    let mut tried = 0;
+    for (f, mut random) in exact_forms(1..=2) {
         let orders: Vec<usize> = (0..f.axes()).map(|_| random.size(0, 2)).collect();
         let form = derivative(&f, &orders).unwrap();
         let at = random.parameters::<Rational>(f.axes());
         if let Ok(expected) = f.derivative_at(&at, &orders) {
             assert_eq!(form.at(&at).unwrap(), expected);
+            tried += 1;
         }
     }
+    assert!(tried > 20, "{tried} points where the weight does not vanish");
 }
 
 #[test]
@@ -424,7 +339,7 @@ fn derivative_of_a_product_of_powers() {
 
 #[test]
 fn transposition_relabels_the_parameters() {
-    for (f, mut random) in forms(3..=3) {
+    for (f, mut random) in exact_forms(3..=3) {
         let axes = [2, 0, 1];
         let turned = transpose(&f, &axes).unwrap();
         let at = random.parameters::<Rational>(3);
@@ -446,7 +361,7 @@ fn partition_is_dyadic() {
 
 #[test]
 fn raising_together_keeps_the_functions() {
-    for (f, mut random) in forms(1..=3) {
+    for (f, mut random) in exact_forms(1..=3) {
         let orders = random.orders(f.axes(), 5);
         let g: Exact = random.form(&orders, f.ambient(), Weights::Any);
         let raised = raise_together(&[&f, &g]).unwrap();

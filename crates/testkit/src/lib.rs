@@ -1,4 +1,4 @@
-//! What tests share: random forms, and the cases of the original system.
+//! What tests share: random forms, known shapes, and the cases of the original system.
 #![allow(
     clippy::unwrap_used,
     clippy::expect_used,
@@ -8,6 +8,8 @@
 
 mod random;
 mod reference;
+mod shapes;
 
-pub use random::{Random, Weights, relative_error};
+pub use random::{ROUNDS, Random, Weights, exact_forms, relative_error};
 pub use reference::{Case, cases, net, numbers};
+pub use shapes::{octant, whole_sphere};

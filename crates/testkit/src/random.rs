@@ -1,5 +1,7 @@
 //! Reproducible random numbers and forms.
 
+use std::ops::RangeInclusive;
+
 use pforms_kernel::{Form, Rational, Scalar};
 
 /// Which weights a random form gets.
@@ -117,6 +119,22 @@ impl Random {
         let weights: Vec<f64> = (0..count).map(|_| rough(self)).collect();
         Form::from_points(orders, ambient, &points, Some(&weights)).unwrap()
     }
+}
+
+/// Rounds of a law: as many random forms it is tried on.
+pub const ROUNDS: u64 = 40;
+
+/// Random forms with that many axes, orders up to 4, in 1 to 4 dimensions, rational or not, each with
+/// the stream it came from.
+pub fn exact_forms(axes: RangeInclusive<usize>) -> impl Iterator<Item = (Form<Rational>, Random)> {
+    (0..ROUNDS).map(move |seed| {
+        let mut random = Random::new(seed);
+        let axes = random.size(*axes.start(), *axes.end());
+        let orders = random.orders(axes, 4);
+        let ambient = random.size(1, 4);
+        let weights = [Weights::One, Weights::Positive, Weights::Any][random.size(0, 2)];
+        (random.form(&orders, ambient, weights), random)
+    })
 }
 
 /// The largest difference between two nets, relative to the largest number of the exact one.

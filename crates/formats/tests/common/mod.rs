@@ -4,29 +4,12 @@
 use pforms_formats::bpt;
 use pforms_kernel::Form;
 use pforms_scene::{Mode, Scene, Shapes, Style};
+use pforms_testkit::octant;
 
 pub const TEAPOT: &[u8] = include_bytes!("../../../../cases/models/newell-teapot32.bpt");
 
 pub fn teapot() -> Vec<Form> {
     bpt::read(TEAPOT).unwrap().into_iter().map(|named| named.form).collect()
-}
-
-/// An eighth of the unit sphere, mirrored by the signs.
-pub fn octant(signs: [f64; 3]) -> Form {
-    let w = 0.5_f64.sqrt();
-    let arc = [[1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
-    let mut points = Vec::new();
-    for [r, z] in arc {
-        for [x, y] in arc {
-            points.extend([signs[0] * r * x, signs[1] * r * y, signs[2] * z]);
-        }
-    }
-    Form::from_points(&[3, 3], 3, &points, Some(&[1., w, 1., w, w * w, w, 1., w, 1.])).unwrap()
-}
-
-pub fn whole_sphere() -> Vec<Form> {
-    let sign = |bit: usize| if bit == 0 { 1.0 } else { -1.0 };
-    (0..8).map(|k| octant([sign(k & 1), sign(k & 2), sign(k & 4)])).collect()
 }
 
 pub fn style(draw: &[Mode], color: &str, opacity: f64) -> Style {
