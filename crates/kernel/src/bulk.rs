@@ -1,9 +1,11 @@
 //! Evaluate many points in `f64`, without an allocation per point.
 
 use crate::basis::bernstein_row_into;
-use crate::jet::unreachable;
-use crate::lanes::{Blocks, LANES};
-use crate::{Error, Form, Result, bernstein_row, limit};
+use crate::bulk_grid::Grids;
+use crate::bulk_scattered::Scattered;
+use crate::lanes::in_lanes;
+use crate::threads::fill_parts;
+use crate::{Error, Form, Result, limit};
 
 impl Form<f64> {
     /// Euclidean points on the grid of the given parameters, one list for each axis.
@@ -21,25 +23,8 @@ impl Form<f64> {
     }
 
     /// [`Form::grid`] into an array of the caller's.
-    ///
-    /// The first axes are contracted once for each of their samples; only the last is summed
-    /// for each point, together with the projection.
     pub fn grid_into(&self, parameters: &[&[f64]], out: &mut [f64]) -> Result<()> {
-        self.require_per_axis("parameters", parameters)?;
-        let counts: usize = parameters.iter().map(|list| list.len()).product();
-        require_output(out, counts * self.ambient())?;
-        for list in parameters {
-            require_finite_list(list)?;
-        }
-        if counts == 0 {
-            return Ok(());
-        }
-        let row = |(list, order): (&&[f64], &usize)| {
-            list.iter().flat_map(|t| bernstein_row(order - 1, t)).collect()
-        };
-        let rows = parameters.iter().zip(self.orders()).map(row).collect();
-        let grid = Grid { form: self, rows, uniform: self.uniform_weight().copied() };
-        grid.descend(self.homogeneous(), 0, &mut Vec::new(), out)
+        grids_into(&[self], parameters, out)
     }
 
     /// Euclidean points at scattered parameters: `parameters[k][i]` is parameter `k` of point `i`.
@@ -54,25 +39,17 @@ impl Form<f64> {
 
     /// [`Form::scattered`] into an array of the caller's.
     pub fn scattered_into(&self, parameters: &[&[f64]], out: &mut [f64]) -> Result<()> {
-        let count = self.require_batch(parameters, out, self.ambient())?;
-        let whole = self.write_blocks(parameters, count, out)?;
-        let rest: Vec<&[f64]> = parameters.iter().map(|list| &list[whole..]).collect();
-        let mut batch = Batch::default();
-        let ambient = self.ambient();
-        self.each_scattered(&rest, &mut out[whole * ambient..], ambient, |form, at, part| {
-            project(batch.homogeneous(form, at), part)
+        self.require_batch(parameters, out, self.ambient())?;
+        fill_parts(out, self.ambient(), self.cost(), |points, out| {
+            let parameters: Vec<&[f64]> =
+                parameters.iter().map(|list| &list[points.clone()]).collect();
+            in_lanes(Scattered { form: self, parameters: &parameters, out })
         })
     }
 
-    /// Evaluates as many points as fill whole blocks of lanes; tells how many.
-    fn write_blocks(&self, parameters: &[&[f64]], count: usize, out: &mut [f64]) -> Result<usize> {
-        let Some(mut blocks) = Blocks::new(self) else { return Ok(0) };
-        let whole = count / LANES * LANES;
-        let parts = out.chunks_exact_mut(LANES * self.ambient());
-        for (start, part) in (0..whole).step_by(LANES).zip(parts) {
-            blocks.write(parameters, start, part)?;
-        }
-        Ok(whole)
+    /// About how many operations a point takes.
+    fn cost(&self) -> usize {
+        2 * self.homogeneous().len()
     }
 
     /// Complains unless the lists have one length and fit `out`; gives that length.
@@ -115,40 +92,52 @@ impl Form<f64> {
     }
 }
 
-/// A form with the basis values of a grid, and the weight that all its poles have, if they have one.
-struct Grid<'a> {
-    form: &'a Form<f64>,
-    rows: Vec<Vec<f64>>,
-    uniform: Option<f64>,
-}
-
-impl Grid<'_> {
-    /// Contracts axis `axis` with each of its rows and goes on with the rest of the axes.
-    fn descend(
-        &self,
-        poles: &[f64],
-        axis: usize,
-        scratch: &mut Vec<Vec<f64>>,
-        out: &mut [f64],
-    ) -> Result<()> {
-        let Some(&order) = self.form.orders().get(axis) else {
-            return project(poles, out);
-        };
-        let rows = &self.rows[axis];
-        let samples = rows.len() / order;
-        let share = out.len() / samples;
-        let inner = poles.len() / order;
-        if axis + 1 == self.rows.len() {
-            return sum_rows(poles, rows, order, self.uniform, out);
-        }
-        let mut line = scratch.pop().unwrap_or_default();
-        for (row, part) in rows.chunks_exact(order).zip(out.chunks_exact_mut(share)) {
-            combine(row, poles, inner, &mut line);
-            self.descend(&line, axis + 1, scratch, part)?;
-        }
-        scratch.push(line);
-        Ok(())
+/// The points of many forms on one grid, a list of parameters for each axis.
+///
+/// `out` takes a grid for each form, in C order: `(forms, len₀, len₁, …, ambient)`. Forms of the
+/// same orders in a row share their basis values.
+///
+/// Errors: as [`Form::grid`]; `Shape` when a form has another number of axes or another dimension
+/// than the first.
+///
+/// ```
+/// use pforms_kernel::{Form, grids_into};
+/// let rising: Form = Form::from_points(&[2], 1, &[0., 1.], None)?;
+/// let falling = Form::from_points(&[2], 1, &[1., 0.], None)?;
+/// let mut out = [0.0; 6];
+/// grids_into(&[&rising, &falling], &[&[0.0, 0.25, 1.0]], &mut out)?;
+/// assert_eq!(out, [0.0, 0.25, 1.0, 1.0, 0.75, 0.0]);
+/// # Ok::<(), pforms_kernel::Error>(())
+/// ```
+pub fn grids_into(forms: &[&Form<f64>], parameters: &[&[f64]], out: &mut [f64]) -> Result<()> {
+    let Some(first) = forms.first() else { return require_output(out, 0) };
+    for form in forms {
+        form.require_per_axis("parameters", parameters)?;
+        require_dimension(form, first)?;
     }
+    let ambient = first.ambient();
+    let points: usize = parameters.iter().map(|list| list.len()).product();
+    require_output(out, forms.len() * points * ambient)?;
+    parameters.iter().try_for_each(|list| require_finite_list(list))?;
+    if points == 0 {
+        return Ok(());
+    }
+    if forms.len() > 1 {
+        return fill_parts(out, points * ambient, points * first.cost(), |range, out| {
+            in_lanes(Grids { forms: &forms[range], parameters, out })
+        });
+    }
+    // The first axes of a single sample leave the parts of the next one side by side.
+    let axis = parameters.iter().position(|list| list.len() > 1).unwrap_or(0);
+    let Some(list) = parameters.get(axis) else {
+        return in_lanes(Grids { forms, parameters, out });
+    };
+    let share = points / list.len();
+    fill_parts(out, share * ambient, share * first.cost(), |range, out| {
+        let mut parameters = parameters.to_vec();
+        parameters[axis] = &list[range];
+        in_lanes(Grids { forms, parameters: &parameters, out })
+    })
 }
 
 /// Buffers for evaluating one point after another without allocating.
@@ -192,63 +181,15 @@ pub(crate) fn add_lines(row: &[f64], poles: &[f64], line: &mut [f64]) {
     }
 }
 
-/// Sums and projects the poles of a curve for every row of basis values; `uniform` is the weight
-/// that all poles of the form have, if they have one.
-fn sum_rows(
-    poles: &[f64],
-    rows: &[f64],
-    order: usize,
-    uniform: Option<f64>,
-    out: &mut [f64],
-) -> Result<()> {
-    match poles.len() / order {
-        3 => sum_rows_of::<3>(poles, rows, order, uniform, out),
-        4 => sum_rows_of::<4>(poles, rows, order, uniform, out),
-        width => {
-            let mut point = Vec::new();
-            for (row, part) in rows.chunks_exact(order).zip(out.chunks_exact_mut(width - 1)) {
-                combine(row, poles, width, &mut point);
-                point[width - 1] = uniform.unwrap_or(point[width - 1]);
-                project(&point, part)?;
-            }
-            Ok(())
-        }
+fn require_dimension(form: &Form<f64>, first: &Form<f64>) -> Result<()> {
+    if form.ambient() == first.ambient() {
+        return Ok(());
     }
-}
-
-/// The same with the width known to the compiler, so that a point stays in registers.
-fn sum_rows_of<const W: usize>(
-    poles: &[f64],
-    rows: &[f64],
-    order: usize,
-    uniform: Option<f64>,
-    out: &mut [f64],
-) -> Result<()> {
-    let (poles, _) = poles.as_chunks::<W>();
-    for (row, part) in rows.chunks_exact(order).zip(out.chunks_exact_mut(W - 1)) {
-        let mut point = [0.0; W];
-        for (coefficient, pole) in row.iter().zip(poles) {
-            for k in 0..W {
-                point[k] += coefficient * pole[k];
-            }
-        }
-        point[W - 1] = uniform.unwrap_or(point[W - 1]);
-        project(&point, part)?;
-    }
-    Ok(())
-}
-
-/// Divides by the weight. `0·x` is 0 unless `x` is infinite or NaN, so one sum sees them all: a
-/// weight that vanishes too, which leaves nothing finite.
-#[inline]
-fn project(point: &[f64], out: &mut [f64]) -> Result<()> {
-    let (coordinates, weight) = point.split_at(out.len());
-    let mut guard = 0.0 * weight[0];
-    for (x, coordinate) in out.iter_mut().zip(coordinates) {
-        *x = coordinate / weight[0];
-        guard += 0.0 * *x;
-    }
-    if guard == 0.0 { Ok(()) } else { Err(unreachable(&weight[0])) }
+    Err(Error::shape(
+        "forms",
+        format!("forms in dimensions {} and {}", first.ambient(), form.ambient()),
+        "forms in one space",
+    ))
 }
 
 fn require_output(out: &[f64], expected: usize) -> Result<()> {
@@ -262,5 +203,114 @@ fn require_finite_list(list: &[f64]) -> Result<()> {
     match list.iter().find(|t| !t.is_finite()) {
         None => Ok(()),
         Some(t) => Err(Error::domain("parameters", t, "finite numbers")),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::lanes::Job;
+
+    fn wavy(orders: &[usize], ambient: usize, rational: bool) -> Form<f64> {
+        let count: usize = orders.iter().product();
+        let points: Vec<f64> = (0..count * ambient).map(|k| (k as f64 * 1.7).sin()).collect();
+        let weights: Vec<f64> = (0..count).map(|k| 1.3 + (k as f64 * 2.3).cos()).collect();
+        Form::from_points(orders, ambient, &points, rational.then_some(&weights)).unwrap()
+    }
+
+    fn bits(numbers: &[f64]) -> Vec<u64> {
+        numbers.iter().map(|x| x.to_bits()).collect()
+    }
+
+    /// Runs a job that fills so many numbers, in vectors of every width.
+    macro_rules! assert_same_bits {
+        ($count:expr, |$out:ident| $job:expr) => {{
+            let mut outs = [(); 3].map(|()| vec![0.0; $count]);
+            let [two, four, eight] = outs.each_mut();
+            let $out = two;
+            $job.run::<2>().unwrap();
+            let $out = four;
+            $job.run::<4>().unwrap();
+            let $out = eight;
+            $job.run::<8>().unwrap();
+            assert!(bits(&outs[0]) == bits(&outs[1]) && bits(&outs[1]) == bits(&outs[2]));
+        }};
+    }
+
+    #[test]
+    fn vectors_of_any_width_give_the_same_bits() {
+        let shapes: [&[usize]; 10] = [
+            &[1],
+            &[4],
+            &[9],
+            &[4, 4],
+            &[2, 3],
+            &[3, 3],
+            &[4, 4, 4],
+            &[2, 2, 2],
+            &[3, 2, 4],
+            &[2, 1, 3, 2],
+        ];
+        for (orders, ambient) in
+            shapes.into_iter().flat_map(|orders| [1, 2, 3, 5].map(|c| (orders, c)))
+        {
+            for rational in [false, true] {
+                let form = wavy(orders, ambient, rational);
+                let list: Vec<f64> = (0..19).map(|k| (f64::from(k) * 0.37).fract()).collect();
+                let lists = vec![&list[..]; orders.len()];
+                let few: Vec<&[f64]> = lists.iter().map(|list| &list[..5]).collect();
+                let width = 19 * ambient;
+                assert_same_bits!(width, |out| Scattered { form: &form, parameters: &lists, out });
+                let (forms, width) = ([&form], 5_usize.pow(orders.len() as u32) * ambient);
+                assert_same_bits!(width, |out| Grids { forms: &forms, parameters: &few, out });
+            }
+        }
+    }
+
+    #[test]
+    fn families_are_grids_one_after_another() {
+        let forms = [wavy(&[4, 4], 3, true), wavy(&[4, 4], 3, false), wavy(&[3, 2], 3, true)];
+        let lists = [vec![0.0, 0.3, 1.0], (0..700).map(|k| f64::from(k) / 699.0).collect()];
+        let lists: Vec<&[f64]> = lists.iter().map(Vec::as_slice).collect();
+        let single: Vec<f64> = forms.iter().flat_map(|form| form.grid(&lists).unwrap()).collect();
+        let mut all = vec![0.0; single.len()];
+        grids_into(&forms.each_ref(), &lists, &mut all).unwrap();
+        assert_eq!(bits(&all), bits(&single));
+        let flat = wavy(&[2, 2], 2, false);
+        assert_eq!(
+            grids_into(&[&forms[0], &flat], &lists, &mut all).unwrap_err().family(),
+            "Shape"
+        );
+        assert_eq!(grids_into(&[], &lists, &mut all).unwrap_err().family(), "Shape");
+    }
+
+    #[test]
+    fn parts_on_threads_leave_no_trace() {
+        let form = wavy(&[6, 5], 3, true);
+        let list: Vec<f64> = (0..1003).map(|k| f64::from(k) / 1002.0).collect();
+        let grid = form.grid(&[&list, &list]).unwrap();
+        let mut serial = vec![0.0; grid.len()];
+        in_lanes(Grids { forms: &[&form], parameters: &[&list, &list], out: &mut serial }).unwrap();
+        assert_eq!(bits(&grid), bits(&serial));
+        let long: Vec<f64> = (0..300_000).map(|k| f64::from(k) / 3e5).collect();
+        let batch = form.scattered(&[&long, &long]).unwrap();
+        let mut serial = vec![0.0; batch.len()];
+        in_lanes(Scattered { form: &form, parameters: &[&long, &long], out: &mut serial }).unwrap();
+        assert_eq!(bits(&batch), bits(&serial));
+    }
+
+    #[test]
+    fn a_long_curve_is_right_everywhere() {
+        for order in [3, 12, 90] {
+            let curve = wavy(&[order], 2, true);
+            let list: Vec<f64> = (0..600).map(|k| f64::from(k) / 599.0).collect();
+            let points = curve.grid(&[&list]).unwrap();
+            for (t, point) in list.iter().zip(points.chunks(2)) {
+                for (x, y) in curve.at(&[*t]).unwrap().iter().zip(point) {
+                    // Two sums of `order` positive terms each, in another order of rounding.
+                    assert!((x - y).abs() <= 8.0 * order as f64 * f64::EPSILON);
+                }
+            }
+        }
     }
 }

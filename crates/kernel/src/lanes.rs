@@ -1,8 +1,8 @@
-//! Eight points at once: the same sums as for one point, with a point in each vector lane.
+//! Several numbers at once: plain arithmetic, compiled for every instruction set.
 //!
-//! Written in plain arithmetic and compiled for each instruction set that the processor may have;
-//! the choice is made at run time. No multiplication is fused with an addition, so every set gives
-//! the same bits.
+//! A [`Job`] is written once over [`Lanes`]; [`in_lanes`] runs the copy of it that was compiled for
+//! the widest vectors of the machine it finds itself on. Nothing is fused and nothing reordered
+//! within a lane, so every machine gives the same bits, the browser included.
 
 #![allow(
     clippy::inline_always,
@@ -10,176 +10,167 @@
     reason = "only what is inlined is compiled for the wider sets; lanes are counted, not iterated"
 )]
 
-use pulp::{Arch, WithSimd};
+use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use crate::jet::unreachable;
-use crate::{Form, Result};
+use pulp::{Arch, Simd, WithSimd};
 
-/// Points in one block: a register of AVX-512, two of AVX2, four of SSE2 and of WebAssembly.
-pub(crate) const LANES: usize = 8;
+/// The most lanes that any instruction set has.
+pub const MOST: usize = 8;
 
-/// One number for each of the points in a block.
-type Lanes = [f64; LANES];
+/// `N` numbers side by side: 2 in a register of SSE2, NEON or WebAssembly, 4 of AVX2, 8 of AVX-512.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(transparent)]
+pub struct Lanes<const N: usize>(pub [f64; N]);
 
-/// The widest poles that are summed in registers: four coordinates and a weight.
-const WIDEST: usize = 5;
+impl<const N: usize> Lanes<N> {
+    /// Zeros.
+    pub const ZERO: Self = Self([0.0; N]);
 
-/// Evaluates blocks of points of one form, with buffers for the basis values.
-pub(crate) struct Blocks<'a> {
-    form: &'a Form<f64>,
-    uniform: Option<f64>,
-    arch: Arch,
-    rows: Vec<Lanes>,
-}
+    /// Ones.
+    pub const ONE: Self = Self([1.0; N]);
 
-impl<'a> Blocks<'a> {
-    /// Blocks for this form, or `None` when its poles are too wide or it has no axis.
-    pub(crate) fn new(form: &'a Form<f64>) -> Option<Self> {
-        let rows = vec![[0.0; LANES]; form.orders().iter().sum()];
-        let uniform = form.uniform_weight().copied();
-        let fits = form.width() <= WIDEST && form.axes() > 0;
-        fits.then(|| Self { form, uniform, arch: Arch::new(), rows })
+    /// The same number in every lane.
+    #[inline(always)]
+    pub fn splat(x: f64) -> Self {
+        Self([x; N])
     }
 
-    /// The euclidean points at `parameters[axis][start ..][.. LANES]`, one after another in `out`.
-    ///
-    /// Errors: `Domain` when a weight vanishes at one of them or a coordinate overflows.
-    pub(crate) fn write(
-        &mut self,
-        parameters: &[&[f64]],
-        start: usize,
-        out: &mut [f64],
-    ) -> Result<()> {
-        let Self { form, uniform, ref mut rows, .. } = *self;
-        self.arch.dispatch(Block { form, uniform, rows, parameters, start, out })
+    /// The first `N` numbers of a list, which must have so many.
+    #[inline(always)]
+    pub fn load(list: &[f64]) -> Self {
+        let mut lanes = [0.0; N];
+        lanes.copy_from_slice(&list[..N]);
+        Self(lanes)
+    }
+
+    /// Writes the first `N` numbers of a list, which must have so many.
+    #[inline(always)]
+    pub fn store(self, list: &mut [f64]) {
+        list[..N].copy_from_slice(&self.0);
+    }
+
+    /// A function of each lane.
+    #[inline(always)]
+    #[must_use]
+    pub fn map(mut self, function: impl Fn(f64) -> f64) -> Self {
+        for k in 0..N {
+            self.0[k] = function(self.0[k]);
+        }
+        self
+    }
+
+    /// A function of the same lane of two.
+    #[inline(always)]
+    #[must_use]
+    pub fn zip(mut self, other: Self, function: impl Fn(f64, f64) -> f64) -> Self {
+        for k in 0..N {
+            self.0[k] = function(self.0[k], other.0[k]);
+        }
+        self
+    }
+
+    /// The square roots.
+    #[inline(always)]
+    #[must_use]
+    pub fn sqrt(self) -> Self {
+        self.map(f64::sqrt)
     }
 }
 
-struct Block<'a> {
-    form: &'a Form<f64>,
-    uniform: Option<f64>,
-    rows: &'a mut [Lanes],
-    parameters: &'a [&'a [f64]],
-    start: usize,
-    out: &'a mut [f64],
-}
-
-impl WithSimd for Block<'_> {
-    type Output = Result<()>;
+impl<const N: usize> Add for Lanes<N> {
+    type Output = Self;
 
     #[inline(always)]
-    fn with_simd<S: pulp::Simd>(self, _: S) -> Result<()> {
-        let mut rest = &mut self.rows[..];
-        for (list, order) in self.parameters.iter().zip(self.form.orders()) {
-            let (rows, others) = rest.split_at_mut(*order);
-            let mut t = [0.0; LANES];
-            t.copy_from_slice(&list[self.start..][..LANES]);
-            basis(&t, rows);
-            rest = others;
-        }
-        match self.form.width() {
-            2 => self.finish::<2>(),
-            3 => self.finish::<3>(),
-            4 => self.finish::<4>(),
-            _ => self.finish::<5>(),
-        }
+    fn add(self, other: Self) -> Self {
+        self.zip(other, |a, b| a + b)
     }
 }
 
-/// The Bernstein polynomials at eight parameters, by the triangle of de Casteljau.
-#[inline(always)]
-fn basis(t: &Lanes, rows: &mut [Lanes]) {
-    let s = t.map(|t| 1.0 - t);
-    rows[0] = [1.0; LANES];
-    for degree in 1..rows.len() {
-        let mut left = [0.0; LANES];
-        for row in &mut rows[..degree] {
-            for k in 0..LANES {
-                let above = row[k];
-                row[k] = s[k] * above + left[k];
-                left[k] = t[k] * above;
-            }
-        }
-        rows[degree] = left;
-    }
-}
+impl<const N: usize> Sub for Lanes<N> {
+    type Output = Self;
 
-impl Block<'_> {
-    /// Sums the poles of all axes and projects.
     #[inline(always)]
-    fn finish<const W: usize>(self) -> Result<()> {
-        let (poles, _) = self.form.homogeneous().as_chunks::<W>();
-        let mut point = [[0.0; LANES]; W];
-        match *self.form.orders() {
-            [_] => add_line(poles, self.rows, &[1.0; LANES], &mut point),
-            [first, second] => {
-                let (u, v) = self.rows.split_at(first);
-                for (factor, line) in u.iter().zip(poles.chunks_exact(second)) {
-                    add_line(line, v, factor, &mut point);
-                }
-            }
-            ref orders => add_poles(poles, orders, self.rows, &[1.0; LANES], &mut point),
-        }
-        if let Some(weight) = self.uniform {
-            point[W - 1] = [weight; LANES];
-        }
-        project(&point, self.out)
+    fn sub(self, other: Self) -> Self {
+        self.zip(other, |a, b| a - b)
     }
 }
 
-/// The same for any number of axes: one axis a step.
-fn add_poles<const W: usize>(
-    poles: &[[f64; W]],
-    orders: &[usize],
-    rows: &[Lanes],
-    factor: &Lanes,
-    point: &mut [Lanes; W],
-) {
-    let Some((&order, [_, ..])) = orders.split_first() else {
-        return add_line(poles, rows, factor, point);
-    };
-    let (outer, inner) = rows.split_at(order);
-    for (row, part) in outer.iter().zip(poles.chunks_exact(poles.len() / order)) {
-        let product = std::array::from_fn(|k| factor[k] * row[k]);
-        add_poles(part, &orders[1..], inner, &product, point);
+impl<const N: usize> Mul for Lanes<N> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn mul(self, other: Self) -> Self {
+        self.zip(other, |a, b| a * b)
     }
 }
 
-/// `point += factor · Σ row · pole` along the last axis.
-#[inline(always)]
-fn add_line<const W: usize>(
-    line: &[[f64; W]],
-    rows: &[Lanes],
-    factor: &Lanes,
-    point: &mut [Lanes; W],
-) {
-    let mut sum = [[0.0; LANES]; W];
-    for (row, pole) in rows.iter().zip(line) {
-        for c in 0..W {
-            for k in 0..LANES {
-                sum[c][k] += row[k] * pole[c];
-            }
-        }
-    }
-    for c in 0..W {
-        for k in 0..LANES {
-            point[c][k] += factor[k] * sum[c][k];
-        }
+impl<const N: usize> Div for Lanes<N> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn div(self, other: Self) -> Self {
+        self.zip(other, |a, b| a / b)
     }
 }
 
-#[inline(always)]
-fn project<const W: usize>(point: &[Lanes; W], out: &mut [f64]) -> Result<()> {
-    let weight = &point[W - 1];
-    let mut guard = weight.map(|w| 0.0 * w);
-    for (k, part) in out.chunks_exact_mut(W - 1).enumerate() {
-        for (c, x) in part.iter_mut().enumerate() {
-            *x = point[c][k] / weight[k];
-            guard[k] += 0.0 * *x;
-        }
+impl<const N: usize> Neg for Lanes<N> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn neg(self) -> Self {
+        self.map(|a| -a)
     }
-    match guard.iter().position(|sum| *sum != 0.0) {
-        None => Ok(()),
-        Some(k) => Err(unreachable(&weight[k])),
+}
+
+/// Work written over lanes of any width.
+///
+/// `run` and all it calls must be `#[inline(always)]`: what is not inlined is compiled for the
+/// narrowest vectors.
+pub trait Job {
+    /// What comes out.
+    type Output;
+
+    /// Does the work, `N` numbers at a time.
+    fn run<const N: usize>(self) -> Self::Output;
+}
+
+/// Does the work in the widest vectors of this machine.
+///
+/// ```
+/// use pforms_kernel::lanes::{Job, Lanes, in_lanes};
+///
+/// struct Doubled<'a>(&'a mut [f64]);
+///
+/// impl Job for Doubled<'_> {
+///     type Output = ();
+///
+///     #[inline(always)]
+///     fn run<const N: usize>(self) {
+///         for part in self.0.chunks_exact_mut(N) {
+///             (Lanes::<N>::load(part) * Lanes::splat(2.0)).store(part);
+///         }
+///     }
+/// }
+///
+/// let mut numbers = [1.0; 16];
+/// in_lanes(Doubled(&mut numbers));
+/// assert_eq!(numbers, [2.0; 16]);
+/// ```
+pub fn in_lanes<J: Job>(job: J) -> J::Output {
+    Arch::new().dispatch(Compiled(job))
+}
+
+struct Compiled<J>(J);
+
+impl<J: Job> WithSimd for Compiled<J> {
+    type Output = J::Output;
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) -> J::Output {
+        match S::F64_LANES {
+            8 => self.0.run::<8>(),
+            4 => self.0.run::<4>(),
+            _ => self.0.run::<2>(),
+        }
     }
 }

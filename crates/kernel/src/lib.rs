@@ -20,22 +20,26 @@
 mod basis;
 mod bulk;
 mod bulk_derivative;
+mod bulk_grid;
+mod bulk_scattered;
 mod dual;
 mod error;
 mod evaluate;
 mod form;
 mod jet;
 mod kind;
-mod lanes;
+pub mod lanes;
 pub mod limit;
 mod matrix;
 mod pascal;
+mod planar;
 mod product;
 mod rational;
 mod scalar;
+pub mod threads;
 
 pub use basis::{bernstein_row, blossom_row, projective_blossom_row, taylor_rows};
-pub use bulk::Batch;
+pub use bulk::{Batch, grids_into};
 pub use dual::Dual;
 pub use error::{Error, Fault, Place, Result};
 pub use form::Form;
