@@ -3,6 +3,7 @@
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 
 import pforms as pf
@@ -13,4 +14,5 @@ def _surroundings(
     doctest_namespace: dict[str, Any], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     doctest_namespace["pf"] = pf
+    doctest_namespace["np"] = np
     monkeypatch.chdir(tmp_path)

@@ -69,6 +69,7 @@ sub = Form.sub
 subdivide = Form.subdivide
 tangent_form = Form.tangent_form
 transpose = Form.transpose
+unstack = Form.unstack
 whole_line = Form.whole_line
 with_pole = Form.with_pole
 
@@ -129,6 +130,7 @@ __all__ = [
     "tangent_form",
     "tile",
     "transpose",
+    "unstack",
     "whole_line",
     "with_pole",
 ]

@@ -34,7 +34,7 @@ pub(crate) fn reals(argument: &str, object: &Bound<'_, PyAny>, axes: usize) -> P
     let numbers = Numbers::read(argument, object)?;
     match (numbers.shape(), numbers.values()) {
         ([], [number]) => Ok(vec![*number; axes]),
-        ([_], values) => Ok(values.to_vec()),
+        ([_], _) => Ok(numbers.into_values()),
         (shape, _) => fail(&Error::shape(
             argument,
             format!("an array of shape {shape:?}"),
@@ -85,17 +85,6 @@ pub(crate) fn require_finite(argument: &str, numbers: &[f64]) -> PyResult<()> {
     match numbers.iter().find(|number| !number.is_finite()) {
         None => Ok(()),
         Some(number) => fail(&Error::domain(argument, number, "finite numbers")),
-    }
-}
-
-/// Forms in a list; a single form stands for a list of one.
-pub(crate) fn listed_forms(argument: &str, object: &Bound<'_, PyAny>) -> PyResult<Vec<Form>> {
-    if object.is_instance_of::<PyForm>() {
-        return Ok(vec![form(argument, object)?]);
-    }
-    match object.try_iter() {
-        Ok(items) => items.map(|item| form(argument, &item?)).collect(),
-        Err(_) => Err(mistyped(argument, object, "a list of forms")),
     }
 }
 

@@ -1,28 +1,37 @@
-//! Numbers in and out: whatever NumPy reads as an array of reals, without needless copies.
+//! Numbers that come in: whatever NumPy reads as an array of reals, without needless copies.
 
+use std::slice;
+
+use numpy::ndarray::{ArrayViewD, aview0, aview1};
 use numpy::{
-    PyArray1, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArray, PyUntypedArrayMethods,
+    PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArray, PyUntypedArrayMethods,
 };
-use pforms_kernel::{Error, limit};
+use pforms_kernel::limit;
 use pyo3::exceptions::{PyOverflowError, PyTypeError, PyValueError};
 use pyo3::intern;
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
 use pyo3::types::{PyFloat, PyInt, PyList, PyTuple};
+use smallvec::SmallVec;
 
-use crate::errors::{ShapeError, fail, mistyped, raised};
+use crate::errors::{ShapeError, mistyped, raised};
 use crate::form::PyForm;
+use crate::outputs::MOST_AXES;
 
-/// NumPy allows no more axes.
-const MOST_AXES: usize = 64;
-
-/// Numbers in an array that no machine is short of memory for.
-const LARGE: usize = 1 << 16;
+/// The shape of an array; those of small ones need no allocation.
+pub(crate) type Shape = SmallVec<[usize; 6]>;
 
 /// An array of `f64` in C order: the caller's own when it is one already, else a converted copy.
 pub(crate) enum Numbers<'py> {
-    Borrowed(PyReadonlyArrayDyn<'py, f64>),
-    Owned { shape: Vec<usize>, values: Vec<f64> },
+    Number(f64),
+    List { length: usize, values: Vec<f64> },
+    Array(PyReadonlyArrayDyn<'py, f64>),
+}
+
+impl From<Vec<f64>> for Numbers<'_> {
+    fn from(values: Vec<f64>) -> Self {
+        Self::List { length: values.len(), values }
+    }
 }
 
 impl<'py> Numbers<'py> {
@@ -32,7 +41,10 @@ impl<'py> Numbers<'py> {
     /// for ragged lists.
     pub(crate) fn read(argument: &str, object: &Bound<'py, PyAny>) -> PyResult<Self> {
         if let Some(number) = plain_number(object) {
-            return Ok(Self::Owned { shape: Vec::new(), values: vec![number] });
+            return Ok(Self::Number(number));
+        }
+        if let Some(values) = plain_numbers(object) {
+            return Ok(values.into());
         }
         if is_masked(object)? {
             return Err(mistyped(argument, object, "numbers none of which is masked"));
@@ -59,33 +71,52 @@ impl<'py> Numbers<'py> {
             return Err(mistyped(argument, point, "numbers, or a form without axes"));
         }
         let values = form.points().map_err(|error| raised(&error))?;
-        Ok(Self::Owned { shape: vec![form.ambient()], values })
+        Ok(values.into())
     }
 
     fn borrow(argument: &str, array: &Bound<'py, PyArrayDyn<f64>>) -> PyResult<Self> {
         if array.is_c_contiguous() {
             let view = array.try_readonly()?;
             if view.as_slice().is_ok() {
-                return Ok(Self::Borrowed(view));
+                return Ok(Self::Array(view));
             }
         }
         check_size(argument, array.as_untyped())?;
         let copy = array.call_method0(intern!(array.py(), "copy"))?;
         let copy = copy.cast::<PyArrayDyn<f64>>()?.try_readonly()?;
-        Ok(Self::Owned { shape: copy.shape().to_vec(), values: copy.as_slice()?.to_vec() })
+        copy.as_slice()?;
+        Ok(Self::Array(copy))
     }
 
     pub(crate) fn shape(&self) -> &[usize] {
         match self {
-            Self::Borrowed(array) => array.shape(),
-            Self::Owned { shape, .. } => shape,
+            Self::Number(_) => &[],
+            Self::List { length, .. } => slice::from_ref(length),
+            Self::Array(array) => array.shape(),
         }
     }
 
     pub(crate) fn values(&self) -> &[f64] {
         match self {
-            Self::Borrowed(array) => array.as_slice().unwrap_or_default(),
-            Self::Owned { values, .. } => values,
+            Self::Number(number) => slice::from_ref(number),
+            Self::List { values, .. } => values,
+            Self::Array(array) => array.as_slice().unwrap_or_default(),
+        }
+    }
+
+    /// The numbers in a list of our own.
+    pub(crate) fn into_values(self) -> Vec<f64> {
+        match self {
+            Self::List { values, .. } => values,
+            other => other.values().to_vec(),
+        }
+    }
+
+    pub(crate) fn view(&self) -> ArrayViewD<'_, f64> {
+        match self {
+            Self::Number(number) => aview0(number).into_dyn(),
+            Self::List { values, .. } => aview1(values).into_dyn(),
+            Self::Array(array) => array.as_array(),
         }
     }
 }
@@ -96,6 +127,14 @@ fn plain_number(object: &Bound<'_, PyAny>) -> Option<f64> {
         return Some(number.value());
     }
     object.cast::<PyInt>().ok().and_then(|number| number.extract().ok())
+}
+
+/// A short list of Python's own numbers, likewise.
+fn plain_numbers(object: &Bound<'_, PyAny>) -> Option<Vec<f64>> {
+    if let Ok(tuple) = object.cast::<PyTuple>() {
+        return tuple.iter().map(|item| plain_number(&item)).collect();
+    }
+    object.cast::<PyList>().ok()?.iter().map(|item| plain_number(&item)).collect()
 }
 
 /// `numpy.asarray(object)`, refusing what is no array of real numbers.
@@ -173,77 +212,4 @@ fn length(object: &Bound<'_, PyAny>) -> Option<usize> {
     let listed = object.is_instance_of::<PyList>() || object.is_instance_of::<PyTuple>();
     let array = object.cast::<PyUntypedArray>().is_ok_and(|array| array.ndim() > 0);
     if listed || array { object.len().ok() } else { None }
-}
-
-/// A new array from its numbers in C order.
-pub(crate) fn array<'py>(
-    py: Python<'py>,
-    shape: &[usize],
-    values: Vec<f64>,
-) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
-    check_axes(shape)?;
-    PyArray1::from_vec(py, values).reshape(shape)
-}
-
-/// An array of points filled in place: the caller's `out`, or a new one.
-///
-/// `shape` is that of the parameters, each with `width` numbers.
-///
-/// Errors: `ShapeError` when `out` has another shape, type or layout; `LimitError`; those of `fill`.
-pub(crate) fn filled<'py>(
-    py: Python<'py>,
-    shape: &[usize],
-    width: Option<usize>,
-    out: Option<&Bound<'py, PyAny>>,
-    fill: impl FnOnce(&mut [f64]) -> PyResult<()>,
-) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
-    limit::check::<f64>("the points", shape, width.unwrap_or(1)).map_err(|error| raised(&error))?;
-    let shape: Vec<usize> = shape.iter().copied().chain(width).collect();
-    check_axes(&shape)?;
-    let array = match out {
-        Some(out) => writable(out, &shape)?,
-        None => fresh(py, &shape)?,
-    };
-    let mut view = array.try_readwrite().map_err(|_| {
-        ShapeError::new_err("out: received a read-only array or one of the arguments, expected an array that can be written")
-    })?;
-    fill(view.as_slice_mut()?)?;
-    drop(view);
-    Ok(array)
-}
-
-/// An array to be filled. NumPy makes the large ones, since it can say that memory is short.
-fn fresh<'py>(py: Python<'py>, shape: &[usize]) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
-    static EMPTY: PyOnceLock<Py<PyAny>> = PyOnceLock::new();
-    if shape.iter().product::<usize>() < LARGE {
-        return Ok(PyArrayDyn::zeros(py, shape, false));
-    }
-    let array = EMPTY.import(py, "numpy", "empty")?.call1((PyTuple::new(py, shape)?,))?;
-    Ok(array.cast_into::<PyArrayDyn<f64>>()?)
-}
-
-fn writable<'py>(
-    out: &Bound<'py, PyAny>,
-    shape: &[usize],
-) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
-    let expected = format!("a C-contiguous float64 array of shape {shape:?}");
-    let Ok(array) = out.cast::<PyArrayDyn<f64>>() else {
-        return Err(mistyped("out", out, &expected));
-    };
-    if array.shape() != shape || !array.is_c_contiguous() {
-        let layout = if array.is_c_contiguous() { "" } else { ", not C-contiguous" };
-        return fail(&Error::shape("out", format!("shape {:?}{layout}", array.shape()), expected));
-    }
-    Ok(array.clone())
-}
-
-fn check_axes(shape: &[usize]) -> PyResult<()> {
-    if shape.len() <= MOST_AXES {
-        return Ok(());
-    }
-    fail(&Error::shape(
-        "array",
-        format!("{} axes", shape.len()),
-        format!("at most {MOST_AXES}, all that NumPy allows"),
-    ))
 }

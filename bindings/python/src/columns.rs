@@ -5,7 +5,7 @@ use pyo3::intern;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::arrays::array;
+use crate::outputs::array;
 
 /// Columns in the order of their first entry; each has one number or vector for each point.
 pub(crate) struct Columns {

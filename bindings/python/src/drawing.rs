@@ -8,8 +8,8 @@ use pforms_sheet::{Settings, Sheet};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 
-use crate::arguments::listed_forms;
 use crate::errors::{done, raised};
+use crate::forms::Forms;
 
 /// What was asked about a picture.
 #[derive(FromPyObject)]
@@ -85,7 +85,7 @@ pub(crate) fn _draw_forms<'py>(
     forms: &Bound<'py, PyAny>,
     look: &Bound<'py, PyAny>,
 ) -> PyResult<Vec<Bound<'py, PyBytes>>> {
-    let list = listed_forms("what", forms)?;
+    let list = Forms::read("what", forms)?.cloned();
     if list.is_empty() {
         return Err(raised(&Error::shape("what", "no forms", "at least one form")));
     }

@@ -16,7 +16,7 @@ pyo3::import_exception!(pforms.errors, FormatError);
 pyo3::import_exception!(pforms.errors, LimitError);
 
 /// Multiplications below which giving the lock away costs more than it brings.
-const LOCK_WORTH: usize = 1 << 12;
+const LOCK_WORTH: usize = 1 << 14;
 
 /// The exception of the same name.
 pub(crate) fn raised(error: &Error) -> PyErr {

@@ -6,11 +6,12 @@ use pforms_operators::{Immersed, Piecewise};
 use pyo3::prelude::*;
 use pyo3::types::{PyInt, PyTuple};
 
-use crate::arguments::{form, whole, wholes};
-use crate::arrays::{Numbers, filled};
+use crate::arguments::{whole, wholes};
+use crate::arrays::Numbers;
 use crate::errors::{fail, raised};
 use crate::form::PyForm;
 use crate::operators::immersed;
+use crate::outputs::filled;
 use crate::parameters::Parameters;
 use crate::slices::{fill_grid, fill_scattered};
 
@@ -96,29 +97,29 @@ impl Evaluate for Immersed {
 /// Points of anything at broadcast parameters, shape (…, c).
 pub(crate) fn points<'py>(
     subject: &impl Evaluate,
-    parameters: &[Bound<'py, PyAny>],
+    parameters: &Bound<'py, PyTuple>,
     orders: Option<&[usize]>,
     out: Option<&Bound<'py, PyAny>>,
-    py: Python<'py>,
 ) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
+    let py = parameters.py();
     let parameters = Parameters::read(parameters)?;
-    let (cost, count) = (subject.cost(), parameters.count());
+    let cost = subject.cost();
     let (shape, width) = (parameters.shape(), Some(subject.width()));
     if let (None, Some(form)) = (orders, subject.on_grids())
         && let Some(lists) = parameters.grid()
     {
+        let lists: Vec<&[f64]> = lists.iter().map(AsRef::as_ref).collect();
         return filled(py, shape, width, out, |numbers| {
             fill_grid(py, &lists, cost, numbers, &|lists, part| form.grid_into(lists, part))
         });
     }
-    let lists = parameters.scattered();
-    let lists: Vec<&[f64]> = lists.iter().map(AsRef::as_ref).collect();
+    let points = parameters.scattered();
     // Products of truncated Taylor series take the square of their length.
     let series = |order: &usize| (order + 1).saturating_pow(2);
     let cost = orders.unwrap_or_default().iter().map(series).fold(cost, usize::saturating_mul);
     filled(py, shape, width, out, |numbers| {
         let fill = |lists: &[&[f64]], part: &mut [f64]| subject.fill(lists, orders, part);
-        fill_scattered(py, (&lists, count), cost, numbers, fill)
+        fill_scattered(py, &points, cost, numbers, &fill)
     })
 }
 
@@ -159,14 +160,13 @@ impl PyForm {
     #[pyo3(signature = (*parameters))]
     fn __call__<'py>(&self, parameters: &Bound<'py, PyTuple>) -> PyResult<Bound<'py, PyAny>> {
         let py = parameters.py();
-        let parameters: Vec<Bound<'py, PyAny>> = parameters.iter().collect();
-        if let [inner] = parameters.as_slice()
-            && inner.is_instance_of::<Self>()
+        if parameters.len() == 1
+            && let Ok(inner) = parameters.get_item(0)?.cast::<Self>()
         {
-            let result = immersed(py, &form("inner", inner)?, &self.form)?;
+            let result = immersed(py, &inner.get().form, &self.form)?;
             return Ok(Bound::new(py, result)?.into_any());
         }
-        points(&self.form, &parameters, None, None, py).map(Bound::into_any)
+        points(&self.form, parameters, None, None).map(Bound::into_any)
     }
 
     /// Points or derivatives at parameters, if wanted into an array of the caller's.
@@ -202,8 +202,7 @@ impl PyForm {
         out: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
         let orders = derivative.map(|d| derivative_orders(d, &self.form)).transpose()?;
-        let list: Vec<Bound<'py, PyAny>> = parameters.iter().collect();
-        points(&self.form, &list, orders.as_deref(), out, parameters.py())
+        points(&self.form, parameters, orders.as_deref(), out)
     }
 
     /// Points on a grid of parameters.
@@ -271,6 +270,5 @@ fn line<'py>(given: &Bound<'py, PyAny>) -> PyResult<Numbers<'py>> {
     let count = whole("parameters", given)?;
     limit::check::<f64>("the grid", &[count], 1).map_err(|error| raised(&error))?;
     let last = count.saturating_sub(1).max(1) as f64;
-    let values = (0..count).map(|i| i as f64 / last).collect();
-    Ok(Numbers::Owned { shape: vec![count], values })
+    Ok((0..count).map(|i| i as f64 / last).collect::<Vec<f64>>().into())
 }

@@ -4,9 +4,9 @@ use pforms_formats::{Format, Named, read as read_named, write_forms};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyString};
 
-use crate::arguments::listed_forms;
 use crate::errors::{done, mistyped, raised};
 use crate::form::PyForm;
+use crate::forms::Forms;
 
 /// The bytes of a file.
 pub(crate) fn read(path: &Bound<'_, PyAny>) -> PyResult<Vec<u8>> {
@@ -45,7 +45,7 @@ pub(crate) fn _write_forms<'py>(
     name: &str,
     forms: &Bound<'py, PyAny>,
 ) -> PyResult<Bound<'py, PyBytes>> {
-    let list = listed_forms("forms", forms)?;
+    let list = Forms::read("forms", forms)?.cloned();
     let bytes = done(forms.py(), usize::MAX, || {
         let named: Vec<Named> = list.into_iter().map(Named::from).collect();
         write_forms(Format::of_name(name)?, &named)

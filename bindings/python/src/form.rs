@@ -8,8 +8,10 @@ use pyo3::prelude::*;
 use pyo3::types::{PyTuple, PyType};
 
 use crate::arguments::{real, require_finite, wholes};
-use crate::arrays::{Numbers, array};
+use crate::arrays::Numbers;
 use crate::errors::{done, fail, renamed};
+use crate::outputs::array;
+use crate::view::view;
 
 /// A tensor-product rational Bézier form: nothing but its poles.
 ///
@@ -112,13 +114,13 @@ impl PyForm {
         array(py, self.form.orders(), self.form.weights())
     }
 
-    /// The homogeneous poles, a new array of shape (n1, …, nd, c+1), the weight last.
+    /// The homogeneous poles, shape (n1, …, nd, c+1), the weight last: the form's own, read-only.
     ///
     /// >>> pf.Form([(3, 4)], weights=[2]).homogeneous
     /// array([[6., 8., 2.]])
     #[getter]
-    fn homogeneous<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
-        array(py, &self.shape(self.form.width()), self.form.homogeneous().to_vec())
+    fn homogeneous<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
+        view(slf)
     }
 
     /// Number of poles along each axis.
@@ -255,17 +257,16 @@ impl PyForm {
     }
 
     fn __reduce__<'py>(
-        &self,
-        py: Python<'py>,
+        slf: &Bound<'py, Self>,
     ) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {
-        let make = py.get_type::<Self>().getattr("from_homogeneous")?;
-        Ok((make, PyTuple::new(py, [self.homogeneous(py)?])?))
+        let make = slf.get_type().getattr("from_homogeneous")?;
+        Ok((make, PyTuple::new(slf.py(), [view(slf)?])?))
     }
 }
 
 impl PyForm {
     /// Shape of an array with `width` numbers for each pole.
-    fn shape(&self, width: usize) -> Vec<usize> {
+    pub(crate) fn shape(&self, width: usize) -> Vec<usize> {
         self.form.orders().iter().copied().chain([width]).collect()
     }
 }

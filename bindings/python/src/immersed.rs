@@ -225,8 +225,7 @@ impl PyImmersed {
     ) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
         let inner = self.immersed.inner();
         let orders = derivative.map(|d| derivative_orders(d, inner)).transpose()?;
-        let list: Vec<Bound<'py, PyAny>> = parameters.iter().collect();
-        points(&self.immersed, &list, orders.as_deref(), out, parameters.py())
+        points(&self.immersed, parameters, orders.as_deref(), out)
     }
 
     fn __repr__(&self) -> String {

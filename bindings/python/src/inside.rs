@@ -5,10 +5,11 @@ use pforms_operators as operators;
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
 
-use crate::arguments::{form, listed_forms, reals, require_finite, wholes};
+use crate::arguments::{form, reals, require_finite, wholes};
 use crate::arrays::Numbers;
 use crate::errors::{done, fail, mistyped, raised};
 use crate::form::PyForm;
+use crate::forms::Forms;
 use crate::operators::immersion_work;
 use crate::slices::require_feasible;
 
@@ -120,7 +121,7 @@ pub(crate) fn tile(
     counts: &Bound<'_, PyAny>,
 ) -> PyResult<Vec<PyForm>> {
     let cage = form("cage", cage)?;
-    let list = listed_forms("cells", cells)?;
+    let list = Forms::read("cells", cells)?.cloned();
     let counts = wholes("counts", counts, cage.axes())?;
     let copies: f64 = counts.iter().map(|&count| count as f64).product();
     let work: f64 = list.iter().map(|cell| immersion_work(cell, &cage)).sum();

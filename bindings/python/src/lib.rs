@@ -13,18 +13,22 @@ mod errors;
 mod evaluation;
 mod files;
 mod form;
+mod forms;
 mod gestures;
 mod immersed;
 mod inside;
 mod making;
 mod measuring;
 mod operators;
+mod outputs;
 mod parameters;
 mod piecewise;
+mod points;
 mod sheet;
 mod slices;
 mod values;
 mod vectors;
+mod view;
 
 /// The compiled half of the package `pforms`.
 #[pyo3::pymodule]

@@ -8,9 +8,10 @@ use pyo3::types::{PyList, PyString, PyTuple};
 use pyo3::{IntoPyObjectExt, intern};
 
 use crate::arguments::{truth, wholes, word};
-use crate::arrays::{Numbers, array};
+use crate::arrays::Numbers;
 use crate::errors::{done, fail, raised, renamed};
 use crate::form::{PyForm, from_euclidean, from_homogeneous};
+use crate::outputs::array;
 use crate::slices::require_feasible;
 
 /// The form of the same orders through a net of points, at the nodes of each axis.

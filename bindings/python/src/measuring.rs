@@ -10,10 +10,10 @@ use pyo3::prelude::*;
 use pyo3::types::PyTuple;
 
 use crate::arguments::{real, truth, word};
-use crate::arrays::filled;
 use crate::columns::Columns;
 use crate::errors::fail;
 use crate::form::PyForm;
+use crate::outputs::filled;
 use crate::parameters::Parameters;
 use crate::slices::{SLICE, fill_grid, fill_scattered, in_slices, slice_of};
 
@@ -56,20 +56,20 @@ impl PyForm {
         v: &Bound<'py, PyAny>,
         out: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
-        let parameters = Parameters::read(&[u.clone(), v.clone()])?;
+        let parameters = Parameters::read([u.clone(), v.clone()])?;
         let (py, cost) = (u.py(), 4 * self.form.homogeneous().len());
         let (form, shape) = (&self.form, parameters.shape());
         if let Some(lists) = parameters.grid() {
+            let lists: Vec<&[f64]> = lists.iter().map(AsRef::as_ref).collect();
             return filled(py, shape, Some(3), out, |normals| {
                 fill_grid(py, &lists, cost, normals, &|lists, part| {
                     operators::normal_grid_into(form, lists, part)
                 })
             });
         }
-        let lists = parameters.scattered();
-        let lists: Vec<&[f64]> = lists.iter().map(AsRef::as_ref).collect();
+        let points = parameters.scattered();
         filled(py, shape, Some(3), out, |normals| {
-            fill_scattered(py, (&lists, parameters.count()), cost, normals, |lists, part| {
+            fill_scattered(py, &points, cost, normals, &|lists: &[&[f64]], part: &mut [f64]| {
                 operators::normals_into(form, lists, part)
             })
         })
@@ -179,13 +179,12 @@ impl PyForm {
         carried: bool,
         mut fill: impl FnMut(&[&[f64]], &mut Columns) -> Result<()> + Send,
     ) -> PyResult<Columns> {
-        let (py, list): (_, Vec<_>) = (parameters.py(), parameters.iter().collect());
-        let read = Parameters::read(&list)?;
+        let (py, read) = (parameters.py(), Parameters::read(parameters)?);
         if self.form.axes() == 0 {
             return fail(&Error::shape("form", "a point", "a form with at least one axis"));
         }
         // Without parameters, the names and widths are those somewhere.
-        let (count, given) = (read.count().max(1), read.scattered());
+        let (count, given) = (read.count().max(1), read.scattered().whole());
         let list = |list| if read.count() == 0 { &[SOMEWHERE][..] } else { list };
         let lists: Vec<&[f64]> = given.iter().map(|given| list(given)).collect();
         let cost = 100 * self.form.homogeneous().len();

@@ -7,9 +7,10 @@ use pyo3::prelude::*;
 use pyo3::types::{PyString, PyTuple};
 
 use crate::arguments::{axis, level, real, reals, wholes};
-use crate::arrays::{Numbers, array};
+use crate::arrays::Numbers;
 use crate::errors::{done, fail, raised};
 use crate::form::PyForm;
+use crate::outputs::array;
 use crate::piecewise::PyPiecewise;
 use crate::slices::require_feasible;
 
@@ -98,6 +99,8 @@ impl PyForm {
     /// --------
     /// >>> pf.Form([(0, 0), (1, 2), (2, 0)]).subdivide(1)
     /// <pforms.Piecewise of 2 pieces pL3 in 2D>
+    /// >>> facet = pf.Form([[(0, 0, 0), (0, 1, 1)], [(1, 0, 1), (1, 1, 0)]])
+    /// >>> low_low, low_high, high_low, high_high = facet.subdivide(1)
     #[pyo3(signature = (r))]
     fn subdivide(&self, r: &Bound<'_, PyAny>) -> PyResult<PyPiecewise> {
         let levels = wholes("r", r, self.form.axes())?;
@@ -105,6 +108,20 @@ impl PyForm {
             levels.into_iter().map(|r| level("r", r)).collect::<PyResult<_>>()?;
         done(r.py(), self.cost(), || operators::subdivide(&self.form, &levels))
             .map(PyPiecewise::from)
+    }
+
+    /// The forms that generate this one along axis 0: :func:`stack` undone.
+    ///
+    /// So one array holds many forms, and operators that leave axis 0 alone act on all at once:
+    /// ``by=(0, 1, 1)``. Raises ShapeError for a point.
+    ///
+    /// >>> surfaces = pf.Form(np.zeros((10000, 4, 4, 3)))
+    /// >>> raised = surfaces.elevate((0, 1, 1)).unstack()
+    /// >>> len(raised), raised[0]
+    /// (10000, <pforms.Form pS55 in 3D>)
+    fn unstack(&self, py: Python<'_>) -> PyResult<Vec<Self>> {
+        let forms = done(py, self.cost(), || operators::unstack(&self.form))?;
+        Ok(forms.into_iter().map(Self::from).collect())
     }
 
     /// The same form with more poles: ``by`` more along each axis.

@@ -4,20 +4,25 @@ use numpy::PyArrayDyn;
 use pforms_kernel::Form;
 use pforms_operators::Piecewise;
 use pyo3::prelude::*;
-use pyo3::types::PyTuple;
+use pyo3::types::{PyIterator, PyList, PyTuple};
 
-use crate::arrays::{Numbers, array};
+use crate::arrays::Numbers;
 use crate::errors::{done, raised};
 use crate::evaluation::points;
 use crate::form::{PyForm, from_homogeneous};
+use crate::outputs::array;
+use crate::view::view;
 
 /// Pieces of one degree along each axis, put end to end: what :meth:`Form.subdivide` makes.
+///
+/// It evaluates as one form and unpacks into its pieces, the last axis fastest.
 ///
 /// >>> halves = pf.Form([(0, 0), (1, 2), (2, 0)]).subdivide(1)
 /// >>> halves.homogeneous[:, 1]
 /// array([0., 1., 1., 1., 0.])
 /// >>> halves(0.5)
 /// array([1., 1.])
+/// >>> low, high = halves
 #[pyclass(frozen, module = "pforms", name = "Piecewise", weakref)]
 pub(crate) struct PyPiecewise {
     pieces: Piecewise,
@@ -31,7 +36,8 @@ impl From<Piecewise> for PyPiecewise {
 
 #[pymethods]
 impl PyPiecewise {
-    /// The refined net, shape (n1·k1 + 1, …, c+1): the poles of ``k`` pieces of degree ``n``.
+    /// The refined net, shape (n1·k1 + 1, …, c+1): the poles of ``k`` pieces of degree ``n``,
+    /// read-only.
     ///
     /// >>> pf.Form([(0,), (2,)]).subdivide(1).homogeneous
     /// array([[0., 1.],
@@ -39,9 +45,7 @@ impl PyPiecewise {
     ///        [2., 1.]])
     #[getter]
     fn homogeneous<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
-        let net = self.pieces.net();
-        let shape: Vec<usize> = net.orders().iter().copied().chain([net.width()]).collect();
-        array(py, &shape, net.homogeneous().to_vec())
+        view(&Bound::new(py, self.net())?)
     }
 
     /// The refined net as a form: its control polygons put end to end, not the same points.
@@ -58,9 +62,9 @@ impl PyPiecewise {
     /// >>> pf.Form([(0, 0), (1, 2), (2, 0)]).subdivide(1).pieces
     /// [<pforms.Form pL3 in 2D>, <pforms.Form pL3 in 2D>]
     #[getter]
-    fn pieces(&self, py: Python<'_>) -> PyResult<Vec<PyForm>> {
+    fn pieces<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyList>> {
         let pieces = done(py, self.pieces.net().homogeneous().len(), || self.pieces.pieces())?;
-        Ok(pieces.into_iter().map(PyForm::from).collect())
+        PyList::new(py, pieces.into_iter().map(PyForm::from))
     }
 
     /// Along each axis, the parameters where pieces begin and end.
@@ -117,8 +121,11 @@ impl PyPiecewise {
         &self,
         parameters: &Bound<'py, PyTuple>,
     ) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
-        let list: Vec<Bound<'py, PyAny>> = parameters.iter().collect();
-        points(&self.pieces, &list, None, None, parameters.py())
+        points(&self.pieces, parameters, None, None)
+    }
+
+    fn __iter__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyIterator>> {
+        self.pieces(py)?.try_iter()
     }
 
     fn __len__(&self) -> usize {

@@ -6,9 +6,10 @@ use pforms_kernel::Result;
 use pyo3::prelude::*;
 
 use crate::errors::{LimitError, done};
+use crate::points::Points;
 
-/// Multiplications in a slice: a few hundredths of a second.
-pub(crate) const SLICE: usize = 1 << 24;
+/// Multiplications in a slice: a tenth of a second at most, and mostly much less.
+pub(crate) const SLICE: usize = 1 << 27;
 
 /// Slices of so many points or a multiple of them fill whole blocks of lanes.
 const BLOCK: usize = 64;
@@ -46,18 +47,22 @@ pub(crate) fn slice_of(cost: usize) -> usize {
     }
 }
 
-/// Fills `out` at `count` scattered points: `lists[k][i]` is parameter `k` of point `i`.
+/// Fills `out` at scattered points, which `fill` is given in blocks.
 pub(crate) fn fill_scattered(
     py: Python<'_>,
-    (lists, count): (&[&[f64]], usize),
+    points: &Points,
     cost: usize,
     out: &mut [f64],
-    fill: impl Fn(&[&[f64]], &mut [f64]) -> Result<()> + Sync,
+    fill: &(impl Fn(&[&[f64]], &mut [f64]) -> Result<()> + Sync),
 ) -> PyResult<()> {
-    let width = out.len() / count.max(1);
-    in_slices(py, count, cost, |range| {
-        let part: Vec<&[f64]> = lists.iter().map(|list| &list[range.clone()]).collect();
-        fill(&part, &mut out[range.start * width..range.end * width])
+    let width = out.len() / points.count().max(1);
+    in_slices(py, points.count(), cost, |range| {
+        points.in_blocks(
+            range.clone(),
+            cost,
+            &mut out[range.start * width..range.end * width],
+            fill,
+        )
     })
 }
 

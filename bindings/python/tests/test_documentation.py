@@ -4,6 +4,7 @@ import doctest
 import importlib
 import inspect
 
+import numpy as np
 import pytest
 
 import pforms as pf
@@ -31,7 +32,7 @@ DOCUMENTED = dict(documented())
 def test_every_example_runs(name):
     text = DOCUMENTED[name]
     assert text, f"{name} says nothing"
-    examples = doctest.DocTestParser().get_doctest(text, {"pf": pf}, name, None, None)
+    examples = doctest.DocTestParser().get_doctest(text, {"pf": pf, "np": np}, name, None, None)
     assert examples.examples, f"{name} shows nothing"
     said = []
     doctest.DocTestRunner(verbose=False).run(examples, out=said.append)
@@ -40,7 +41,10 @@ def test_every_example_runs(name):
 
 @pytest.mark.parametrize("module", MODULES)
 def test_every_example_of_a_module_runs(module):
-    assert doctest.testmod(importlib.import_module(module), extraglobs={"pf": pf}).failed == 0
+    assert (
+        doctest.testmod(importlib.import_module(module), extraglobs={"pf": pf, "np": np}).failed
+        == 0
+    )
 
 
 def test_calls_are_documented():

@@ -1,6 +1,7 @@
 """What a form is made of, and how Python sees it."""
 
 import copy
+import gc
 import pickle
 
 import numpy as np
@@ -74,13 +75,30 @@ def test_takes_any_layout_and_type():
     assert pf.Form(poles[::-1, :, ::-1]).poles.tolist() == poles[::-1, :, ::-1].tolist()
 
 
+def test_homogeneous_poles_are_lent_not_copied(make):
+    form = make(3, 4)
+    first, second = form.homogeneous, form.homogeneous
+    assert first is not second
+    assert np.shares_memory(first, second)
+    expected = first.copy()
+    # The array keeps the numbers alive after the form is gone.
+    del form, second
+    gc.collect()
+    np.testing.assert_array_equal(first, expected)
+    net = pf.Form(first[..., :3]).subdivide(1)
+    assert np.shares_memory(net.homogeneous, net.net.homogeneous)
+
+
 def test_nothing_outside_can_change_it():
     poles = np.zeros((2, 2))
     form = pf.Form(poles)
     poles[:] = 7
     form.poles[:] = 8
-    form.homogeneous[:] = 9
     form.weights[:] = 9
+    with pytest.raises(ValueError, match="read-only"):
+        form.homogeneous[:] = 9
+    with pytest.raises(ValueError, match="WRITEABLE"):
+        form.homogeneous.flags.writeable = True
     assert form == pf.Form([(0, 0), (0, 0)])
     with pytest.raises(AttributeError):
         form.poles = poles

@@ -33,7 +33,7 @@ pub use reduce::{Reduction, reduce};
 pub use relabel::{reverse, sub, transpose};
 pub use reparametrise::{reparametrise, whole_line};
 pub use segment::{polyline, segment};
-pub use stack::{midpoint, stack};
+pub use stack::{midpoint, stack, unstack};
 pub use stretch::{split, stretch, stretch_matrix};
 pub use subdivide::{subdivide, subdivision_matrix};
 pub use tile::tile;

@@ -26,6 +26,27 @@ pub fn stack<S: Scalar>(forms: &[&Form<S>]) -> Result<Form<S>> {
     Form::from_homogeneous(&orders, ambient, poles.collect())
 }
 
+/// The forms that generate this one along axis 0: [`stack`] undone, to the bit.
+///
+/// So the net of a form with one axis more can hold many forms of the same orders, and an operator
+/// that leaves axis 0 alone acts on all of them at once.
+///
+/// Errors: `Shape` for a point.
+///
+/// ```
+/// use pforms_kernel::Form;
+/// let segment: Form = Form::from_points(&[2], 2, &[0., 0., 1., 2.], None)?;
+/// let [p, q] = &pforms_operators::unstack(&segment)?[..] else { panic!("two points") };
+/// assert_eq!(pforms_operators::stack(&[p, q])?, segment);
+/// # Ok::<(), pforms_kernel::Error>(())
+/// ```
+pub fn unstack<S: Scalar>(form: &Form<S>) -> Result<Vec<Form<S>>> {
+    form.require_axis(0)?;
+    let (orders, ambient) = (&form.orders()[1..], form.ambient());
+    let nets = form.homogeneous().chunks_exact(form.homogeneous().len() / form.orders()[0]);
+    nets.map(|net| Form::from_homogeneous(orders, ambient, net.to_vec())).collect()
+}
+
 /// The middle of `n` forms (the book's MI): `Σ C(n−1, i)·fᵢ / 2ⁿ⁻¹`.
 ///
 /// By definition the sub-form at ½ of their [`stack`]. The coefficients are dyadic, so in `f64`
