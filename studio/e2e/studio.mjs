@@ -13,6 +13,7 @@ export const repository = join(here, "..", "..");
 
 /** Drawn by software, since a test machine has no graphics card. */
 const FLAGS = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--no-sandbox"];
+const ALONE = { "Cross-Origin-Opener-Policy": "same-origin", "Cross-Origin-Embedder-Policy": "require-corp" };
 const BROWSER = process.env["CHROMIUM"] ?? "/usr/bin/chromium";
 
 async function freePort() {
@@ -34,7 +35,8 @@ export class Bench {
     const server = await preview({
       root: join(here, ".."),
       logLevel: "error",
-      preview: { port, strictPort: true, host: "127.0.0.1" },
+      // Alone in its process, a page may read a fine clock.
+      preview: { port, strictPort: true, host: "127.0.0.1", headers: ALONE },
     });
     const browser = await chromium.launch({ executablePath: BROWSER, args: FLAGS });
     return new Bench(server, browser, `http://127.0.0.1:${port}/`);

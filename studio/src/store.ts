@@ -1,5 +1,6 @@
 import { addressOf, type Block, blockOf, type Place, placeOf } from "./sheet/address";
 import type { Address, Camera, CellInfo, Drawing, Note, Poles, Undrawn, Update } from "./engine/protocol";
+import { redrawn } from "./engine/redraw";
 
 export interface Topics {
   /** Cells whose contents changed; null when all did. */
@@ -69,26 +70,33 @@ export class Store {
     }
     const touched = this.applyCells(update);
     const drawn = this.applyDrawings(update);
-    for (const poles of update.poles) this.poles.set(poles.address, poles);
+    const held = this.applyPoles(update);
     this.applyHeader(update);
-    this.tell("cells", update.whole ? null : touched);
+    if (update.whole || update.notes || touched.size > 0) this.tell("cells", update.whole ? null : touched);
     if (update.whole || drawn.size > 0) this.tell("drawings", update.whole ? null : drawn);
-    this.tell("poles", undefined);
+    if (update.whole || held) this.tell("poles", undefined);
     if (update.camera) this.tell("camera", update.camera);
   }
 
   private applyCells(update: Update): Set<Address> {
     const touched = new Set<Address>(update.removed);
-    for (const address of update.removed) {
-      this.cells.delete(address);
-      this.poles.delete(address);
-    }
+    for (const address of update.removed) this.cells.delete(address);
     for (const cell of update.cells) {
       this.cells.set(cell.address, cell);
-      this.poles.delete(cell.address);
       touched.add(cell.address);
     }
     return touched;
+  }
+
+  /** The poles of a cell that was computed are those that came with it, or none. Did any change? */
+  private applyPoles(update: Update): boolean {
+    const nets = new Map(update.poles.map((net) => [net.address, net]));
+    let changed = nets.size > 0;
+    for (const address of [...update.removed, ...update.cells.map((cell) => cell.address)]) {
+      if (!nets.has(address) && this.poles.delete(address)) changed = true;
+    }
+    for (const [address, net] of nets) this.poles.set(address, net);
+    return changed;
   }
 
   private applyDrawings(update: Update): Set<Address> {
@@ -98,7 +106,7 @@ export class Store {
       if (this.drawings.delete(address)) drawn.add(address);
     }
     for (const drawing of update.drawings) {
-      this.drawings.set(drawing.address, drawing);
+      this.drawings.set(drawing.address, redrawn(drawing, this.drawings.get(drawing.address)));
       this.undrawn.delete(drawing.address);
       drawn.add(drawing.address);
     }

@@ -248,8 +248,10 @@ fn drawn(drawing: &Drawing) -> Result<JsValue, JsValue> {
         &drawing.color.iter().map(|channel| JsValue::from(*channel)).collect::<Array>(),
     )?;
     put(&object, "opacity", &drawing.opacity.into())?;
-    put(&object, "meshes", &meshes)?;
-    put(&object, "points", &points)?;
+    let shape = Object::new();
+    put(&shape, "meshes", &meshes)?;
+    put(&shape, "points", &points)?;
+    put(&object, "shape", &shape)?;
     Ok(object.into())
 }
 

@@ -90,14 +90,37 @@ export interface Poles {
   poles: Pole[];
 }
 
+/** Triangles: three numbers for each vertex, three vertices for each triangle. */
+export interface MeshBuffers {
+  positions: Float32Array;
+  normals: Float32Array;
+  indices: Uint32Array;
+}
+
+/** Points, drawn as spheres. */
+export interface BallBuffers {
+  positions: Float32Array;
+  radius: number;
+}
+
 /** Plain buffers of a drawn cell; coordinates are the book's (y up, z away). */
 export interface Drawing {
   address: Address;
   color: [number, number, number];
   opacity: number;
-  meshes: { positions: Float32Array; normals: Float32Array; indices: Uint32Array }[];
-  /** Drawn as spheres. */
-  points: { positions: Float32Array; radius: number }[];
+  meshes: MeshBuffers[];
+  points: BallBuffers[];
+}
+
+/** A drawing as it travels: what is null is as it was when the cell was drawn last. */
+export interface Redrawing {
+  address: Address;
+  color: [number, number, number];
+  opacity: number;
+  shape: {
+    meshes: (Omit<MeshBuffers, "indices"> & { indices: Uint32Array | null })[];
+    points: BallBuffers[];
+  } | null;
 }
 
 /** Where the viewer stands; what is absent is fitted to the forms. */
@@ -122,7 +145,7 @@ export interface Update {
   title: string;
   cells: CellInfo[];
   removed: Address[];
-  drawings: Drawing[];
+  drawings: Redrawing[];
   hidden: Address[];
   poles: Poles[];
   camera: Camera | null;

@@ -21,25 +21,32 @@ export class Inspector {
   readonly root = el("section", { class: "inspector" });
   private shown = "";
   private turning = false;
+  /** What changes in every frame of a drag is written in place. */
+  private readonly value = el("span", { class: "value" });
+  private readonly costs = el("span", { class: "costs" });
 
   constructor(private readonly session: Session) {
     const { store } = session;
     store.on("selection", () => this.show());
-    store.on("cells", () => this.show());
+    store.on("cells", (touched) => {
+      if (!touched || touched.size === 0 || touched.has(store.address)) this.show();
+    });
     localised(() => {
       this.root.setAttribute("aria-label", t("style"));
       this.shown = "";
+      fill(this.costs);
       this.show();
     });
   }
 
-  /** Writes the panel anew, unless nothing it shows has changed: a field in use must not lose the focus. */
+  /** Writes the panel anew, unless only readings have changed: a field in use must not lose the focus. */
   private show(): void {
     if (this.turning) return;
     const { store } = this.session;
     const cell = store.selected;
     const note = noteOn(store.notes, store.address);
-    const state = JSON.stringify([store.address, cell ?? null, note, store.undrawn.get(store.address) ?? null]);
+    this.read(cell);
+    const state = JSON.stringify([store.address, frame(cell), note, store.undrawn.get(store.address) ?? null]);
     if (state === this.shown) return;
     const focused = (document.activeElement as HTMLElement | null)?.dataset["field"];
     this.shown = state;
@@ -52,6 +59,20 @@ export class Inspector {
     if (focused) this.root.querySelector<HTMLElement>(`[data-field="${focused}"]`)?.focus();
   }
 
+  /** Writes what the cell is worth and what it cost. */
+  private read(cell: CellInfo | undefined): void {
+    const { value, costs } = this;
+    const text = cell && !cell.error ? withoutKind(cell) : "";
+    if (value.textContent !== text) value.textContent = text;
+    value.title = cell && !cell.error ? cell.text : "";
+    costs.title = t("cost");
+    const parts = costsOf(cell);
+    const before = [...costs.children].map((part) => part.textContent);
+    if (parts.some(([, part], at) => part !== before[at]) || parts.length !== before.length) {
+      fill(costs, ...parts.map(([phrase, part]) => el("span", { title: t(phrase) }, part)));
+    }
+  }
+
   private header(cell: CellInfo | undefined): HTMLElement {
     const { address } = this.session.store;
     return el(
@@ -59,9 +80,9 @@ export class Inspector {
       {},
       el("h2", {}, address),
       cell ? el("span", { class: cell.error ? "kind wrong" : "kind" }, cell.kind) : el("span", { class: "muted" }, t("emptyCell")),
-      cell && !cell.error ? el("span", { class: "value", title: cell.text }, withoutKind(cell)) : el("span", { class: "value" }),
+      this.value,
       cell ? nameField(cell.name ?? "", (name) => void this.session.change("setName", address, name || undefined)) : null,
-      cell?.cost ? costs(cell) : null,
+      cell?.cost ? this.costs : null,
     );
   }
 
@@ -134,18 +155,19 @@ function withoutKind(cell: CellInfo): string {
   return cell.text.startsWith(beginning) ? cell.text.slice(beginning.length) : cell.text;
 }
 
-function costs(cell: CellInfo): HTMLElement {
+/** All of a cell that the panel shows, its readings apart. */
+function frame(cell: CellInfo | undefined): unknown[] | null {
+  if (!cell) return null;
+  return [cell.kind, cell.error, cell.name, cell.style, cell.modes, cell.cost !== null];
+}
+
+function costsOf(cell: CellInfo | undefined): [Phrase, string][] {
   const parts: [Phrase, string][] = [
-    ["time", cell.cost?.time ?? ""],
-    ["orders", cell.cost?.orders ?? ""],
-    ["bytes", cell.cost?.bytes ?? ""],
+    ["time", cell?.cost?.time ?? ""],
+    ["orders", cell?.cost?.orders ?? ""],
+    ["bytes", cell?.cost?.bytes ?? ""],
   ];
-  const shown = parts.filter(([, text]) => text !== "");
-  return el(
-    "span",
-    { class: "costs", title: t("cost") },
-    ...shown.map(([phrase, text]) => el("span", { title: t(phrase) }, text)),
-  );
+  return parts.filter(([, text]) => text !== "");
 }
 
 function shading(now: Style["shading"], set: (value: Style["shading"]) => void): HTMLElement {

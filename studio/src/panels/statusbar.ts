@@ -26,7 +26,8 @@ export class StatusBar {
       costs(on);
     });
     const show = (): void => {
-      this.count.textContent = t("cells", { count: String(store.cells.size) });
+      const count = t("cells", { count: String(store.cells.size) });
+      if (this.count.textContent !== count) this.count.textContent = count;
     };
     store.on("cells", show);
     localised(() => {

@@ -8,9 +8,13 @@ const PLAIN: ReadonlySet<Sort> = new Set<Sort>(["number", "text", "boolean", "em
 /** Longest text put into a cell: what does not fit the column cannot be seen anyway. */
 const SHOWN = 120;
 
-/** Writes one cell of the table. */
-export function paintCell(cell: HTMLTableCellElement, info: CellInfo | undefined, draft: string | null): void {
-  cell.className = "";
+/** Writes one cell of the table; `costs` tells whether there is room for what it cost. */
+export function paintCell(
+  cell: HTMLTableCellElement,
+  info: CellInfo | undefined,
+  draft: string | null,
+  costs: boolean,
+): void {
   cell.removeAttribute("title");
   if (draft !== null) {
     cell.className = "draft";
@@ -18,6 +22,7 @@ export function paintCell(cell: HTMLTableCellElement, info: CellInfo | undefined
     return;
   }
   if (!info) {
+    cell.className = "";
     fill(cell);
     return;
   }
@@ -29,7 +34,7 @@ export function paintCell(cell: HTMLTableCellElement, info: CellInfo | undefined
     cell.classList.add("pending");
     cell.title = t("pending");
   }
-  if (info.cost) {
+  if (info.cost && costs) {
     const { time, bytes } = info.cost;
     cell.append(el("span", { class: "cell-cost" }, [time, bytes].filter(Boolean).join(" · ")));
   }

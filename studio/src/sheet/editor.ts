@@ -40,7 +40,10 @@ export class Editor {
       if (event.key.startsWith("Arrow") || event.key === "Home" || event.key === "End") events.change();
     });
     this.area.addEventListener("click", () => events.change());
-    this.area.addEventListener("focus", () => events.focus());
+    this.area.addEventListener("focus", () => {
+      this.open();
+      events.focus();
+    });
     this.area.addEventListener("blur", (event) => events.blur(event.relatedTarget));
     this.area.addEventListener("scroll", () => this.alignMirror());
   }
@@ -54,7 +57,7 @@ export class Editor {
   }
 
   setText(text: string, caret = text.length): void {
-    this.area.value = text;
+    if (this.area.value !== text) this.area.value = text;
     this.area.setSelectionRange(caret, caret);
     this.marks = [];
     this.paint();
@@ -74,6 +77,12 @@ export class Editor {
   private paint(): void {
     const text = this.text;
     fill(this.mirror, ...this.pieces(text), "\n");
+    // Only a field in use opens up; asking for its height costs a layout of the page.
+    if (document.activeElement === this.area) this.open();
+  }
+
+  /** Makes the field as high as its text. */
+  private open(): void {
     this.area.style.height = "0";
     this.area.style.height = `${this.area.scrollHeight}px`;
     this.alignMirror();

@@ -21,7 +21,7 @@ export interface BarEvents {
 /** The bar above the sheet: address, formula, completion, help, and what is wrong. */
 export class FormulaBar {
   private readonly address = el("input", { class: "address", type: "text", spellcheck: false, size: 6 });
-  private readonly message = el("div", { class: "bar-message", role: "status" });
+  private readonly message = el("div", { class: "bar-message", role: "status", hidden: true });
   private readonly completion = new Completion((index) => this.take(index));
   readonly editor: Editor;
   readonly root: HTMLElement;
@@ -57,7 +57,8 @@ export class FormulaBar {
   /** Shows a cell that is not being edited. */
   show(address: string, source: string, error: CellError | null): void {
     this.address.value = address;
-    this.editor.area.setAttribute("aria-label", t("formula", { address }));
+    const label = t("formula", { address });
+    if (this.editor.area.getAttribute("aria-label") !== label) this.editor.area.setAttribute("aria-label", label);
     if (this.editing) return;
     this.original = source;
     this.editor.setText(source);
@@ -231,6 +232,7 @@ export class FormulaBar {
   }
 
   private say(message: string, hint: string | null, wrong: boolean): void {
+    if (message === "" && this.message.hidden) return;
     this.message.hidden = message === "";
     this.message.classList.toggle("wrong", wrong);
     fill(this.message, el("span", {}, message), hint ? el("span", { class: "hint" }, hint) : null);

@@ -92,8 +92,17 @@ export class Grid {
   }
 
   private refresh(touched: ReadonlySet<string> | null): void {
-    if (touched && !this.grown()) for (const address of touched) this.paint(address);
+    if (touched && !this.grownBy(touched)) for (const address of touched) this.paint(address);
     else this.measure();
+  }
+
+  /** Whether one of these cells is so near to the border of the table that it must grow. */
+  private grownBy(touched: ReadonlySet<string>): boolean {
+    for (const address of touched) {
+      const place = placeOf(address);
+      if (place && (place.column + 2 >= this.layout.columns || place.row + SPARE >= this.layout.rows)) return this.grown();
+    }
+    return false;
   }
 
   /** Whether what is filled or selected has come near the border of the table. */
@@ -196,7 +205,7 @@ export class Grid {
     const cell = this.cells.get(address);
     if (!cell) return;
     const draft = this.draft?.address === address ? this.draft.text : null;
-    paintCell(cell, this.store.cells.get(address), draft);
+    paintCell(cell, this.store.cells.get(address), draft, this.tall);
   }
 
   /** Brings the selected cell into sight and marks it. */

@@ -43,7 +43,9 @@ export class Sheet {
     this.root = this.grid.root;
     this.listen();
     store.on("selection", () => this.showSelected());
-    store.on("cells", () => this.showSelected());
+    store.on("cells", (touched) => {
+      if (!touched || touched.has(store.address) || touched.has(this.edited)) this.showSelected();
+    });
   }
 
   focus(): void {

@@ -1,54 +1,90 @@
 import {
   BufferAttribute,
   BufferGeometry,
-  Color,
   DoubleSide,
+  DynamicDrawUsage,
   Group,
   InstancedMesh,
-  Matrix4,
   Mesh,
   MeshStandardMaterial,
-  type Object3D,
   SphereGeometry,
+  type TypedArray,
 } from "three";
-import type { Drawing } from "../engine/protocol";
+import type { BallBuffers, Drawing, MeshBuffers } from "../engine/protocol";
 
 const BALL = new SphereGeometry(1, 20, 14);
 const SMALL_BALL = new SphereGeometry(1, 10, 7);
 /** Above so many balls, coarser ones are drawn. */
 const MANY = 2000;
 
-/** Turns the buffers of one cell into objects for the graphics card. */
-export function makeDrawing(drawing: Drawing): Group {
-  const group = new Group();
-  group.userData["address"] = drawing.address;
-  const material = makeMaterial(drawing);
-  for (const mesh of drawing.meshes) group.add(makeMesh(mesh, material));
-  for (const points of drawing.points) group.add(makeBalls(points.positions, points.radius, material));
-  return group;
+/**
+ * The objects of one drawn cell on the graphics card.
+ *
+ * They are made once. While a pole is dragged the sizes stay, and the numbers are written over the old ones:
+ * no new geometry, no new material, and no index that is the same array as before is sent again.
+ */
+export class Picture {
+  readonly group = new Group();
+  private readonly material = makeMaterial();
+  private meshes: Mesh[] = [];
+  private balls: InstancedMesh[] = [];
+
+  constructor(drawing: Drawing) {
+    this.group.userData["address"] = drawing.address;
+    this.update(drawing);
+  }
+
+  /** Shows the cell as it is now. */
+  update(drawing: Drawing): void {
+    this.paint(drawing);
+    this.meshes = fit(this.meshes, drawing.meshes, rewriteMesh, (part) => makeMesh(part, this.material), disposeMesh);
+    this.balls = fit(this.balls, drawing.points, rewriteBalls, (part) => makeBalls(part, this.material), disposeBalls);
+    const parts = [...this.meshes, ...this.balls];
+    if (parts.some((part) => part.parent !== this.group) || parts.length < this.group.children.length) {
+      this.group.clear();
+      this.group.add(...parts);
+    }
+  }
+
+  /** Frees what the picture holds on the graphics card. */
+  dispose(): void {
+    this.meshes.forEach(disposeMesh);
+    this.balls.forEach(disposeBalls);
+    this.material.dispose();
+  }
+
+  private paint({ color: [red, green, blue], opacity }: Drawing): void {
+    const { material } = this;
+    const clear = opacity < 1;
+    material.color.setRGB(red, green, blue, "srgb");
+    material.opacity = opacity;
+    if (material.transparent !== clear) {
+      material.transparent = clear;
+      material.depthWrite = !clear;
+      material.needsUpdate = true;
+    }
+  }
 }
 
-/** Frees what a drawing holds on the graphics card. */
-export function dispose(object: Object3D): void {
-  object.traverse((part) => {
-    if (part instanceof InstancedMesh) part.dispose();
-    else if (part instanceof Mesh) (part.geometry as BufferGeometry).dispose();
-    if (part instanceof Mesh) (part.material as MeshStandardMaterial).dispose();
+/** One object for each part: the old one where it can be written anew, else another. */
+function fit<T, P>(
+  old: T[],
+  parts: readonly P[],
+  rewrite: (object: T, part: P) => boolean,
+  make: (part: P) => T,
+  drop: (object: T) => void,
+): T[] {
+  old.slice(parts.length).forEach(drop);
+  return parts.map((part, at) => {
+    const object = old[at];
+    if (object !== undefined && rewrite(object, part)) return object;
+    if (object !== undefined) drop(object);
+    return make(part);
   });
 }
 
-function makeMaterial(drawing: Drawing): MeshStandardMaterial {
-  const [red, green, blue] = drawing.color;
-  const clear = drawing.opacity < 1;
-  const material = new MeshStandardMaterial({
-    color: new Color().setRGB(red, green, blue, "srgb"),
-    opacity: drawing.opacity,
-    transparent: clear,
-    depthWrite: !clear,
-    side: DoubleSide,
-    roughness: 0.55,
-    metalness: 0,
-  });
+function makeMaterial(): MeshStandardMaterial {
+  const material = new MeshStandardMaterial({ side: DoubleSide, roughness: 0.55, metalness: 0 });
   material.onBeforeCompile = faceViewer;
   return material;
 }
@@ -62,25 +98,73 @@ function faceViewer(shader: { fragmentShader: string }): void {
   );
 }
 
-function makeMesh(part: Drawing["meshes"][number], material: MeshStandardMaterial): Mesh {
+function makeMesh(part: MeshBuffers, material: MeshStandardMaterial): Mesh {
   const geometry = new BufferGeometry();
-  geometry.setAttribute("position", new BufferAttribute(part.positions, 3));
-  if (part.normals.length === part.positions.length) {
-    geometry.setAttribute("normal", new BufferAttribute(part.normals, 3));
-  }
-  geometry.setIndex(new BufferAttribute(part.indices, 1));
-  return new Mesh(geometry, material);
+  geometry.setAttribute("position", changing(part.positions, 3));
+  if (part.normals.length === part.positions.length) geometry.setAttribute("normal", changing(part.normals, 3));
+  geometry.setIndex(changing(part.indices, 1));
+  const mesh = new Mesh(geometry, material);
+  // The sphere that tells whether it is seen would cost a pass over all vertices in every frame.
+  mesh.frustumCulled = false;
+  return mesh;
 }
 
-function makeBalls(positions: Float32Array, radius: number, material: MeshStandardMaterial): InstancedMesh {
-  const count = positions.length / 3;
+function changing(array: TypedArray, size: number): BufferAttribute {
+  return new BufferAttribute(array, size).setUsage(DynamicDrawUsage);
+}
+
+function rewriteMesh({ geometry }: Mesh, part: MeshBuffers): boolean {
+  const { position, normal } = geometry.attributes as Record<string, BufferAttribute | undefined>;
+  const { index } = geometry;
+  const lit = part.normals.length === part.positions.length;
+  if (position?.array.length !== part.positions.length || index?.array.length !== part.indices.length) return false;
+  if (lit !== (normal !== undefined)) return false;
+  write(position, part.positions);
+  if (normal) write(normal, part.normals);
+  write(index, part.indices);
+  // Computed when someone asks: to fit the view, or to find what was clicked.
+  geometry.boundingBox = geometry.boundingSphere = null;
+  return true;
+}
+
+/** Takes an array of the same length in place of the old one; the graphics card gets it with the next picture. */
+function write(attribute: BufferAttribute, array: TypedArray): void {
+  if (attribute.array === array) return;
+  attribute.array = array;
+  attribute.needsUpdate = true;
+}
+
+function disposeMesh(mesh: Mesh): void {
+  mesh.geometry.dispose();
+}
+
+function makeBalls(part: BallBuffers, material: MeshStandardMaterial): InstancedMesh {
+  const count = part.positions.length / 3;
   const balls = new InstancedMesh(count > MANY ? SMALL_BALL : BALL, material, count);
-  const place = new Matrix4();
-  for (let i = 0; i < count; i++) {
-    place.makeScale(radius, radius, radius);
-    place.setPosition(positions[3 * i]!, positions[3 * i + 1]!, positions[3 * i + 2]!);
-    balls.setMatrixAt(i, place);
-  }
-  balls.computeBoundingSphere();
+  balls.instanceMatrix.setUsage(DynamicDrawUsage);
+  balls.frustumCulled = false;
+  rewriteBalls(balls, part);
   return balls;
+}
+
+/** A ball is the unit ball, scaled and moved: sixteen numbers, column after column. */
+function rewriteBalls(balls: InstancedMesh, { positions, radius }: BallBuffers): boolean {
+  const count = positions.length / 3;
+  if (balls.count !== count) return false;
+  const { array } = balls.instanceMatrix;
+  for (let i = 0; i < count; i++) {
+    const at = 16 * i;
+    array[at] = array[at + 5] = array[at + 10] = radius;
+    array[at + 12] = positions[3 * i]!;
+    array[at + 13] = positions[3 * i + 1]!;
+    array[at + 14] = positions[3 * i + 2]!;
+    array[at + 15] = 1;
+  }
+  balls.instanceMatrix.needsUpdate = true;
+  balls.boundingBox = balls.boundingSphere = null;
+  return true;
+}
+
+function disposeBalls(balls: InstancedMesh): void {
+  balls.dispose();
 }

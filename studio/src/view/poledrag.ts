@@ -1,4 +1,4 @@
-import type { Vector2, Vector3 } from "three";
+import { Vector2, type Vector3 } from "three";
 import type { Session } from "../session";
 import { Drag, pick, toClip, toPixels } from "./drag";
 import type { Handle, Handles } from "./handles";
@@ -14,6 +14,8 @@ interface Gesture {
   drag: Drag;
   last: Vector3;
   step: number;
+  /** Where the canvas lies on the page, asked for once. */
+  box: DOMRect;
   begun: Promise<void> | null;
 }
 
@@ -64,17 +66,16 @@ export class PoleDrag {
   }
 
   private pixels(at: Vector3): Vector2 {
-    return toPixels(at, this.stage.cameras, this.canvas.clientWidth, this.canvas.clientHeight);
+    return toPixels(at, this.stage.cameras, this.stage.width, this.stage.height);
   }
 
-  private pointer(event: MouseEvent): Vector2 {
-    const box = this.canvas.getBoundingClientRect();
-    return toClip(0, 0, 1, 1).set(event.clientX - box.left, event.clientY - box.top);
+  private pointer(event: MouseEvent, box = this.canvas.getBoundingClientRect()): Vector2 {
+    return new Vector2(event.clientX - box.left, event.clientY - box.top);
   }
 
-  private clip(event: MouseEvent): Vector2 {
-    const { x, y } = this.pointer(event);
-    return toClip(x, y, this.canvas.clientWidth, this.canvas.clientHeight);
+  private clip(event: MouseEvent, box: DOMRect): Vector2 {
+    const { x, y } = this.pointer(event, box);
+    return toClip(x, y, this.stage.width, this.stage.height);
   }
 
   private down(event: PointerEvent): void {
@@ -83,10 +84,12 @@ export class PoleDrag {
     event.stopImmediatePropagation();
     this.popup.close();
     this.canvas.setPointerCapture(event.pointerId);
-    const pixel = this.stage.cameras.pixel(handle.at, this.canvas.clientHeight);
+    const pixel = this.stage.cameras.pixel(handle.at, this.stage.height);
     const step = this.snap ? roundStep(pixel * SNAP_PIXELS) : decimalStep(pixel);
     const start = handle.at.clone();
-    this.gesture = { handle, drag: new Drag(start, this.stage.cameras, this.clip(event)), last: start, step, begun: null };
+    const box = this.canvas.getBoundingClientRect();
+    const drag = new Drag(start, this.stage.cameras, this.clip(event, box));
+    this.gesture = { handle, drag, last: start, step, box, begun: null };
     this.canvas.dataset["dragging"] = "";
   }
 
@@ -96,7 +99,7 @@ export class PoleDrag {
       this.canvas.style.cursor = event.buttons === 0 && this.under(event) ? "grab" : "";
       return;
     }
-    gesture.last = gesture.drag.to(this.clip(event), event.shiftKey);
+    gesture.last = gesture.drag.to(this.clip(event, gesture.box), event.shiftKey);
     gesture.begun ??= this.session.beginDrag(this.request(gesture, gesture.drag.start));
     this.session.drag(this.request(gesture, gesture.last));
   }

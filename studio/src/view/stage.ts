@@ -14,7 +14,7 @@ import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import type { Drawing } from "../engine/protocol";
 import { Axes } from "./axes";
 import { Cameras } from "./cameras";
-import { dispose, makeDrawing } from "./drawings";
+import { Picture } from "./drawings";
 import type { Up } from "./space";
 
 /** The three.js scene: drawings of cells, axes, lights, cameras. Draws only when something changed. */
@@ -28,11 +28,14 @@ export class Stage {
   private readonly renderer: WebGLRenderer;
   private readonly scene = new Scene();
   private readonly axes = new Axes();
-  private readonly drawings = new Map<string, Group>();
+  private readonly pictures = new Map<string, Picture>();
   private readonly lamp = new Group();
   private readonly key = new DirectionalLight("#ffffff", 2.1);
   private readonly fill = new DirectionalLight("#e6ecff", 0.55);
   private pending = false;
+  /** Of the canvas, in pixels of the page; kept so that no frame has to ask the page for it. */
+  width = 1;
+  height = 1;
 
   constructor(private readonly canvas: HTMLCanvasElement) {
     this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: false });
@@ -75,30 +78,35 @@ export class Stage {
     this.invalidate();
   }
 
+  /** Shows a cell as it is drawn now, or no longer. */
   put(address: string, drawing: Drawing | undefined): void {
-    const before = this.drawings.get(address);
-    if (before) {
-      this.world.remove(before);
-      dispose(before);
-      this.drawings.delete(address);
-    }
-    if (drawing) {
-      const group = makeDrawing(drawing);
-      this.drawings.set(address, group);
-      this.world.add(group);
-    }
+    const picture = this.pictures.get(address);
+    if (picture && drawing) picture.update(drawing);
+    else if (drawing) this.add(address, new Picture(drawing));
+    else if (picture) this.remove(address, picture);
     this.invalidate();
   }
 
+  private add(address: string, picture: Picture): void {
+    this.pictures.set(address, picture);
+    this.world.add(picture.group);
+  }
+
+  private remove(address: string, picture: Picture): void {
+    this.pictures.delete(address);
+    this.world.remove(picture.group);
+    picture.dispose();
+  }
+
   get drawn(): Iterable<string> {
-    return this.drawings.keys();
+    return this.pictures.keys();
   }
 
   /** The box around everything drawn, in the picture. */
   bounds(): Box3 {
     this.world.updateMatrixWorld();
     const box = new Box3();
-    for (const group of this.drawings.values()) box.expandByObject(group);
+    for (const { group } of this.pictures.values()) box.expandByObject(group);
     return box;
   }
 
@@ -106,7 +114,7 @@ export class Stage {
   hit(at: Vector2): string | null {
     const ray = new Raycaster();
     ray.setFromCamera(at, this.cameras.active);
-    const first = ray.intersectObjects([...this.drawings.values()], true)[0];
+    const first = ray.intersectObjects([...this.pictures.values()].map(({ group }) => group), true)[0];
     const address: unknown = first?.object.parent?.userData["address"];
     return typeof address === "string" ? address : null;
   }
@@ -143,6 +151,8 @@ export class Stage {
 
   private resize(): void {
     const { clientWidth, clientHeight } = this.canvas.parentElement ?? this.canvas;
+    this.width = clientWidth;
+    this.height = clientHeight;
     this.renderer.setSize(clientWidth, clientHeight, false);
     this.cameras.resize(clientWidth, clientHeight);
     this.invalidate();
@@ -151,8 +161,7 @@ export class Stage {
   private render(): void {
     this.pending = false;
     this.lamp.quaternion.copy(this.cameras.active.quaternion);
-    const height = this.canvas.clientHeight;
-    this.axes.size(height, (at) => this.cameras.pixel(at, height));
+    this.axes.size(this.height, (at) => this.cameras.pixel(at, this.height));
     this.renderer.render(this.scene, this.cameras.active);
     this.canvas.dataset["frames"] = String(Number(this.canvas.dataset["frames"] ?? "0") + 1);
   }

@@ -1,6 +1,7 @@
 import { el } from "../dom";
 import type { EngineClient } from "../engine/client";
 import type { Update } from "../engine/protocol";
+import { redrawn } from "../engine/redraw";
 import { Stage } from "./stage";
 
 const WIDTH = 260;
@@ -45,7 +46,7 @@ export class Thumbnails {
   private async draw(update: Update): Promise<string | null> {
     const stage = this.ready();
     for (const address of [...stage.drawn]) stage.put(address, undefined);
-    for (const drawing of update.drawings) stage.put(drawing.address, drawing);
+    for (const drawing of update.drawings) stage.put(drawing.address, redrawn(drawing));
     stage.stand(update.camera?.up ?? "y");
     stage.cameras.restore(update.camera ?? {}, stage.bounds());
     stage.setGround(getComputedStyle(this.host).backgroundColor);

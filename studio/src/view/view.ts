@@ -74,9 +74,10 @@ export class View {
 
   private refresh(touched: ReadonlySet<string> | null): void {
     const { store } = this.session;
-    const first = [...this.stage.drawn].length === 0;
-    const all = new Set([...this.stage.drawn, ...store.drawings.keys()]);
-    for (const address of touched ?? all) this.stage.put(address, store.drawings.get(address));
+    const drawn = new Set(this.stage.drawn);
+    const first = drawn.size === 0;
+    const all = touched ?? new Set([...drawn, ...store.drawings.keys()]);
+    for (const address of all) this.stage.put(address, store.drawings.get(address));
     this.nothing.hidden = store.drawings.size > 0;
     if (this.drag.active) return;
     if (this.untouched || first) this.look(this.stage.cameras.view, false);
@@ -84,7 +85,7 @@ export class View {
   }
 
   private refreshHandles(): void {
-    this.handles.rebuild();
+    this.handles.refresh();
     this.stage.invalidate();
   }
 
