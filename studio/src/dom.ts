@@ -33,6 +33,11 @@ export function fill(node: Element, ...children: Child[]): void {
   append(node, children);
 }
 
+/** Shows an element or takes it away. Said twice, it costs nothing: a browser would work the style out anew. */
+export function show(node: HTMLElement, on: boolean): void {
+  if (node.hidden === on) node.hidden = !on;
+}
+
 let count = 0;
 
 /** An id that no other element has. */

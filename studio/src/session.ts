@@ -54,8 +54,8 @@ export class Session {
   }
 
   /** Takes in an answer; when it left cells to be computed, goes on with them. */
-  private take(update: Update): void {
-    this.store.apply(update);
+  private take(update: Update, live = false): void {
+    this.store.apply(update, live);
     this.halted = false;
     if (update.pending > 0) this.proceeding ??= this.proceed();
   }
@@ -65,7 +65,7 @@ export class Session {
     const release = this.client.hold();
     for (;;) {
       const update = this.halted ? null : await this.ask("proceed");
-      if (update) this.store.apply(update);
+      if (update) this.store.apply(update, this.dragging);
       if (!update?.pending) break;
     }
     release();
@@ -179,12 +179,12 @@ export class Session {
 
   private async styleNow({ address, style }: { address: Address; style: Style }): Promise<void> {
     const update = await this.ask("setStyle", address, style);
-    if (update) this.take(update);
+    if (update) this.take(update, this.dragging);
   }
 
   private async moveNow(move: Move, gesture: Gesture): Promise<void> {
     const update = await this.ask("movePole", move.address, move.index, move.to, move.step, gesture);
-    if (update) this.take(update);
+    if (update) this.take(update, gesture !== "end");
   }
 
   private async keepNow(): Promise<void> {

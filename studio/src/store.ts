@@ -13,6 +13,9 @@ export interface Topics {
   camera: Camera;
 }
 
+/** While a pole is dragged, the sheet is read anew this often, in milliseconds: nobody reads sixty numbers a second. */
+export const READING = 100;
+
 type Listener<K extends keyof Topics> = (value: Topics[K]) => void;
 
 /** What the page knows of the sheet: a copy of what the kernel last said, and the selection. */
@@ -30,6 +33,9 @@ export class Store {
   anchor: Place = { column: 0, row: 0 };
   focus: Place = { column: 0, row: 0 };
   private readonly listeners = new Map<keyof Topics, Set<Listener<never>>>();
+  /** Cells whose readers have not been told yet. */
+  private unread = new Set<Address>();
+  private reading: ReturnType<typeof setTimeout> | null = null;
 
   on<K extends keyof Topics>(topic: K, listener: Listener<K>): void {
     const known = this.listeners.get(topic) ?? new Set();
@@ -60,8 +66,13 @@ export class Store {
     this.tell("selection", undefined);
   }
 
-  /** Takes in what the kernel says has changed. */
-  apply(update: Update): void {
+  /**
+   * Takes in what the kernel says has changed.
+   *
+   * `live`: one of many changes that follow each other, as in a drag. Pictures and poles follow each of them;
+   * who writes texts is told every [`READING`] milliseconds, and at the end.
+   */
+  apply(update: Update, live = false): void {
     if (update.whole) {
       this.cells.clear();
       this.drawings.clear();
@@ -72,10 +83,27 @@ export class Store {
     const drawn = this.applyDrawings(update);
     const held = this.applyPoles(update);
     this.applyHeader(update);
-    if (update.whole || update.notes || touched.size > 0) this.tell("cells", update.whole ? null : touched);
+    if (update.whole || update.notes) this.read(update.whole ? null : touched);
+    else this.readLater(touched, live);
     if (update.whole || drawn.size > 0) this.tell("drawings", update.whole ? null : drawn);
     if (update.whole || held) this.tell("poles", undefined);
     if (update.camera) this.tell("camera", update.camera);
+  }
+
+  private readLater(touched: ReadonlySet<Address>, live: boolean): void {
+    for (const address of touched) this.unread.add(address);
+    if (!live) this.read(this.unread);
+    else this.reading ??= setTimeout(() => this.read(this.unread), READING);
+  }
+
+  /** Tells who writes texts; null: all of them. */
+  private read(touched: ReadonlySet<Address> | null): void {
+    if (this.reading) clearTimeout(this.reading);
+    this.reading = null;
+    const all = touched && new Set([...this.unread, ...touched]);
+    this.unread = new Set();
+    this.tell("cells", all);
+    this.tell("history", undefined);
   }
 
   private applyCells(update: Update): Set<Address> {
@@ -123,7 +151,6 @@ export class Store {
     this.pending = update.pending;
     this.canUndo = update.canUndo;
     this.canRedo = update.canRedo;
-    this.tell("history", undefined);
   }
 
   /** The size of the filled part of the sheet. */

@@ -1,8 +1,8 @@
 import { beforeEach, describe, expect, it, vi } from "vitest";
 import { EngineClient, type Port } from "../src/engine/client";
-import type { Request, Response } from "../src/engine/protocol";
+import type { CellInfo, Poles, Redrawing, Request, Response, Update } from "../src/engine/protocol";
 import { Session } from "../src/session";
-import { Store } from "../src/store";
+import { READING, Store } from "../src/store";
 import { update } from "./update";
 
 /** A kernel that answers at once, by a table; it remembers what it was asked. */
@@ -96,5 +96,77 @@ describe("a session", () => {
     await vi.waitFor(() => expect(one.store.title).toBe("back"));
     expect(asked.slice(-2)).toEqual(["setLanguage en", "resume kept"]);
     expect(errors[0]).toContain("unreachable");
+  });
+});
+
+describe("the page's copy of the sheet", () => {
+  const shape = (indices: Uint32Array | null): NonNullable<Redrawing["shape"]> => ({
+    meshes: [{ positions: new Float32Array(9), normals: new Float32Array(9), indices }],
+    points: [],
+  });
+  const drawing = (part: Partial<Redrawing> = {}): Redrawing => ({
+    address: "A1",
+    color: [0, 0, 0],
+    opacity: 1,
+    shape: null,
+    ...part,
+  });
+
+  it("fills in what did not travel", () => {
+    const store = new Store();
+    const indices = new Uint32Array([0, 1, 2]);
+    store.apply(update({ drawings: [drawing({ shape: shape(indices) })] }));
+    const moved = shape(null);
+    store.apply(update({ drawings: [drawing({ shape: moved })] }));
+    expect(store.drawings.get("A1")!.meshes[0]!.indices).toBe(indices);
+    expect(store.drawings.get("A1")!.meshes[0]!.positions).toBe(moved.meshes[0]!.positions);
+    store.apply(update({ drawings: [drawing({ color: [1, 0, 0] })] }));
+    expect(store.drawings.get("A1")!.meshes[0]!.positions).toBe(moved.meshes[0]!.positions);
+    expect(store.drawings.get("A1")!.color).toEqual([1, 0, 0]);
+  });
+
+  it("shows every frame of a drag, and writes texts now and then", () => {
+    vi.useFakeTimers();
+    const store = new Store();
+    const told = { cells: [] as string[], drawings: 0, poles: 0, history: 0 };
+    store.on("cells", (touched) => void told.cells.push([...(touched ?? [])].join()));
+    store.on("drawings", () => void told.drawings++);
+    store.on("poles", () => void told.poles++);
+    store.on("history", () => void told.history++);
+    const frame = (address: string): Update =>
+      update({
+        cells: [{ address } as CellInfo],
+        drawings: [drawing({ address, shape: shape(null) })],
+        poles: [{ address, orders: [], poles: [] }],
+      });
+    for (let i = 0; i < 30; i++) {
+      store.apply(frame(i % 2 === 0 ? "A1" : "A2"), true);
+      vi.advanceTimersByTime(READING / 10);
+    }
+    expect([told.drawings, told.poles]).toEqual([30, 30]);
+    expect(told.cells).toEqual(["A1,A2", "A1,A2", "A1,A2"]);
+    expect(told.history).toBe(3);
+    store.apply(frame("A1"), true);
+    store.apply(frame("A3"));
+    expect(told.cells.at(-1)).toBe("A1,A3");
+    vi.advanceTimersByTime(10 * READING);
+    expect(told.cells).toHaveLength(4);
+    vi.useRealTimers();
+  });
+
+  it("keeps the order of the poles, and forgets those of a cell that has none any more", () => {
+    const store = new Store();
+    const net = (address: string): Poles => ({ address, orders: [], poles: [] });
+    const cell = (address: string): CellInfo => ({ address }) as CellInfo;
+    const [a, b] = [cell("A1"), cell("A2")];
+    store.apply(update({ cells: [a, b], poles: [net("A1"), net("A2")] }));
+    let told = 0;
+    store.on("poles", () => void told++);
+    store.apply(update({ cells: [a], poles: [net("A1")] }));
+    expect([...store.poles.keys()]).toEqual(["A1", "A2"]);
+    store.apply(update({ cells: [cell("A3")] }));
+    expect(told).toBe(1);
+    store.apply(update({ cells: [a], removed: ["A2"] }));
+    expect([store.poles.size, told]).toEqual([0, 2]);
   });
 });

@@ -1,8 +1,17 @@
-import { Box3, Vector2, Vector3 } from "three";
+import {
+  Box3,
+  type BufferAttribute,
+  type InstancedMesh,
+  type Mesh,
+  type MeshStandardMaterial,
+  Vector2,
+  Vector3,
+} from "three";
 import { describe, expect, it } from "vitest";
-import type { Poles } from "../src/engine/protocol";
+import type { Drawing, MeshBuffers, Poles } from "../src/engine/protocol";
 import { Cameras } from "../src/view/cameras";
 import { Drag, pick, toPixels } from "../src/view/drag";
+import { Picture } from "../src/view/drawings";
 import { type Handle, handledCells, MANY_POLES } from "../src/view/handles";
 import { decimalStep, netEdges, roundStep, Space } from "../src/view/space";
 
@@ -121,5 +130,66 @@ describe("dragging", () => {
     expect(handledCells(few, "A2")).toEqual(few);
     const many = [net("A1", MANY_POLES), net("A2", 3)];
     expect(handledCells(many, "A2").map((one) => one.address)).toEqual(["A2"]);
+  });
+});
+
+describe("a drawn cell", () => {
+  const RED: [number, number, number] = [1, 0, 0];
+  const triangle = new Uint32Array([0, 1, 2]);
+  const mesh = (height: number, indices = triangle): MeshBuffers => ({
+    positions: new Float32Array([0, 0, height, 1, 0, height, 0, 1, height]),
+    normals: new Float32Array([0, 0, 1, 0, 0, 1, 0, 0, 1]),
+    indices,
+  });
+  const drawing = (meshes: MeshBuffers[], balls: number[] = []): Drawing => ({
+    address: "A1",
+    color: RED,
+    opacity: 1,
+    meshes,
+    points: balls.length > 0 ? [{ positions: new Float32Array(balls), radius: 0.1 }] : [],
+  });
+  const parts = (picture: Picture): Mesh[] => picture.group.children as Mesh[];
+
+  it("is written over while it keeps its size: no new object, geometry or material", () => {
+    const picture = new Picture(drawing([mesh(0)], [1, 2, 3]));
+    const before = parts(picture).map((part) => [part, part.geometry, part.geometry.attributes, part.material]);
+    const [flat, balls] = parts(picture) as [Mesh, InstancedMesh];
+    const versions = (): number[] => {
+      const { position, normal } = flat.geometry.attributes as Record<string, BufferAttribute>;
+      return [position!.version, normal!.version, flat.geometry.index!.version, balls.instanceMatrix.version];
+    };
+    const first = versions();
+    for (let frame = 1; frame <= 10; frame++) picture.update(drawing([mesh(frame)], [frame, 2, 3]));
+    const after = parts(picture).map((part) => [part, part.geometry, part.geometry.attributes, part.material]);
+    expect(after.flat().every((thing, at) => thing === before.flat()[at])).toBe(true);
+    expect(versions().map((version, at) => version - first[at]!)).toEqual([10, 10, 0, 10]);
+    expect(picture.group.children).toHaveLength(2);
+    expect(new Box3().expandByObject(flat).max.toArray()).toEqual([1, 1, 10]);
+    expect(Array.from(balls.instanceMatrix.array.slice(12, 15))).toEqual([10, 2, 3]);
+  });
+
+  it("gets other triangles in place, and another geometry only for another size", () => {
+    const picture = new Picture(drawing([mesh(0), mesh(1)]));
+    const [first, second] = parts(picture);
+    picture.update(drawing([mesh(0, new Uint32Array([2, 1, 0])), mesh(1)]));
+    expect(parts(picture)).toEqual([first, second]);
+    expect(Array.from(first!.geometry.index!.array)).toEqual([2, 1, 0]);
+    picture.update(drawing([mesh(0, new Uint32Array([0, 1, 2, 2, 1, 0])), mesh(1)]));
+    expect(parts(picture)[0]).not.toBe(first);
+    expect(parts(picture)[1]).toBe(second);
+    picture.update(drawing([mesh(0)]));
+    expect(parts(picture)).toHaveLength(1);
+  });
+
+  it("becomes transparent without another material", () => {
+    const picture = new Picture(drawing([mesh(0)]));
+    const material = parts(picture)[0]!.material as MeshStandardMaterial;
+    const { version } = material;
+    picture.update({ ...drawing([mesh(0)]), opacity: 0.5, color: [0, 0, 1] });
+    expect(parts(picture)[0]!.material).toBe(material);
+    expect([material.transparent, material.depthWrite, material.opacity]).toEqual([true, false, 0.5]);
+    expect(material.version).toBe(version + 1);
+    picture.update({ ...drawing([mesh(0)]), opacity: 0.4 });
+    expect(material.version).toBe(version + 1);
   });
 });

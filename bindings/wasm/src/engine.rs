@@ -219,7 +219,8 @@ impl Engine {
             self.sheet.end_gesture();
         }
         moved.map_err(|error| self.refusal(error))?;
-        Ok(self.answer())
+        let changed = self.compute();
+        Ok(self.told.cells(&self.sheet, &changed, self.language))
     }
 
     /// Types the coordinates of a pole, its weight last.

@@ -4,13 +4,12 @@
 
 use js_sys::{Array, Float32Array, JSON, Object, Reflect, Uint8Array, Uint32Array};
 use pforms_catalogue::Language;
-use pforms_scene::Buffers;
 use pforms_sheet::Settings;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use wasm_bindgen::prelude::{JsValue, wasm_bindgen};
 
-use crate::{Answer, Drawing, Engine as Core, Gesture, Problem, Update};
+use crate::{Answer, Drawing, Engine as Core, Gesture, Piece, Problem, Update};
 
 #[wasm_bindgen]
 extern "C" {
@@ -222,37 +221,38 @@ fn updated(answer: Answer) -> Result<JsValue, JsValue> {
 
 fn drawn(drawing: &Drawing) -> Result<JsValue, JsValue> {
     let object = Object::new();
+    let color: Array = drawing.color.iter().map(|channel| JsValue::from(*channel)).collect();
+    put(&object, "address", &drawing.address.as_str().into())?;
+    put(&object, "color", &color)?;
+    put(&object, "opacity", &drawing.opacity.into())?;
+    let shape = drawing.shape.as_deref().map_or(Ok(JsValue::NULL), shaped)?;
+    put(&object, "shape", &shape)?;
+    Ok(object.into())
+}
+
+fn shaped(pieces: &[Piece]) -> Result<JsValue, JsValue> {
     let (meshes, points) = (Array::new(), Array::new());
-    for buffers in &drawing.buffers {
+    for piece in pieces {
         let part = Object::new();
-        match buffers {
-            Buffers::Triangles { positions, normals, indices } => {
+        match piece {
+            Piece::Mesh { positions, normals, indices } => {
+                let triangles = indices.as_deref().map(Uint32Array::from);
                 put(&part, "positions", &floats(positions))?;
                 put(&part, "normals", &floats(normals))?;
-                put(&part, "indices", &Uint32Array::from(indices.as_slice()))?;
+                put(&part, "indices", &triangles.map_or(JsValue::NULL, JsValue::from))?;
                 meshes.push(&part);
             }
-            // Lines are tubes by now, see `Drawing`.
-            Buffers::Lines { .. } => {}
-            Buffers::Points { positions, radius } => {
+            Piece::Balls { positions, radius } => {
                 put(&part, "positions", &floats(positions))?;
                 put(&part, "radius", &(*radius).into())?;
                 points.push(&part);
             }
         }
     }
-    put(&object, "address", &drawing.address.as_str().into())?;
-    put(
-        &object,
-        "color",
-        &drawing.color.iter().map(|channel| JsValue::from(*channel)).collect::<Array>(),
-    )?;
-    put(&object, "opacity", &drawing.opacity.into())?;
     let shape = Object::new();
     put(&shape, "meshes", &meshes)?;
     put(&shape, "points", &points)?;
-    put(&object, "shape", &shape)?;
-    Ok(object.into())
+    Ok(shape.into())
 }
 
 fn floats(numbers: &[f32]) -> Float32Array {

@@ -23,7 +23,7 @@ pub use cells::CellInfo;
 pub use engine::{Answer, Engine, Gesture};
 pub use files::Exported;
 pub use operators::OperatorHelp;
-pub use picture::Drawing;
+pub use picture::{Drawing, Piece};
 pub use poles::{Pole, Poles};
 pub use problem::Problem;
 pub use update::{Note, ShownCell, Undrawn, Update};

@@ -8,6 +8,7 @@ use pforms_scene::Mode;
 use pforms_sheet::{Settings, Sheet};
 use serde::Serialize;
 
+use crate::picture::Gallery;
 use crate::style::{complete, modes};
 use crate::{CellInfo, Drawing, Poles, Problem};
 
@@ -81,21 +82,7 @@ pub(crate) struct Told {
     shown: BTreeMap<Address, Settings>,
     names: Vec<(String, String)>,
     notes: Vec<Settings>,
-}
-
-impl Update {
-    /// Draws one cell that changed, or tells that it is no longer drawn.
-    pub(crate) fn draw(&mut self, sheet: &Sheet, at: Address, language: Language) {
-        match Drawing::of(sheet, at) {
-            Ok(Some(drawing)) => return self.drawings.push(drawing),
-            Ok(None) => {}
-            Err(error) => self.undrawn.push(Undrawn {
-                address: at.to_string(),
-                problem: Problem::error(error, language),
-            }),
-        }
-        self.hidden.push(at.to_string());
-    }
+    gallery: Gallery,
 }
 
 impl Told {
@@ -111,11 +98,48 @@ impl Told {
         touched.extend(sheet.pending());
         touched.extend(self.renamed(sheet));
         let mut update = self.collect(sheet, &touched, language);
+        let changed: BTreeSet<Address> = changed.iter().copied().collect();
         let drawn: BTreeSet<Address> = changed.iter().chain(&restyled).copied().collect();
         for at in drawn {
-            update.draw(sheet, at, language);
+            self.draw(&mut update, sheet, at, !changed.contains(&at), language);
         }
         update
+    }
+
+    /// What changed when nothing but cells was edited: one frame of a drag. Nothing is compared.
+    pub(crate) fn cells(
+        &mut self,
+        sheet: &Sheet,
+        changed: &[Address],
+        language: Language,
+    ) -> Update {
+        let mut touched: BTreeSet<Address> = changed.iter().copied().collect();
+        touched.extend(sheet.pending());
+        let mut update = self.collect(sheet, &touched, language);
+        for at in changed {
+            self.draw(&mut update, sheet, *at, false, language);
+        }
+        update
+    }
+
+    /// Draws one cell that changed, or tells that it is no longer drawn.
+    fn draw(
+        &mut self,
+        update: &mut Update,
+        sheet: &Sheet,
+        at: Address,
+        same: bool,
+        language: Language,
+    ) {
+        match self.gallery.draw(sheet, at, same) {
+            Ok(Some(drawing)) => return update.drawings.push(drawing),
+            Ok(None) => {}
+            Err(error) => update.undrawn.push(Undrawn {
+                address: at.to_string(),
+                problem: Problem::error(error, language),
+            }),
+        }
+        update.hidden.push(at.to_string());
     }
 
     /// Everything, as for a page that knows nothing.

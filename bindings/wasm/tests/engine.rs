@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use pforms_catalogue::Language;
-use pforms_wasm::{Engine, Gesture, Problem, Update};
+use pforms_wasm::{Drawing, Engine, Gesture, Piece, Problem, Update};
 
 const OCTANT: &str = include_str!("../../../cases/sheets/octant.pfs");
 
@@ -58,6 +58,81 @@ fn a_drag_writes_the_cell_moves_what_depends_on_it_and_is_one_step() {
     assert_eq!(addresses(&update), ["A1", "A4", "A5"]);
     assert!(!update.can_undo && update.can_redo);
     assert_eq!(engine.save(), before);
+}
+
+/// The index lists of a drawing's meshes.
+fn triangles(drawing: &Drawing) -> Vec<Option<usize>> {
+    let pieces = drawing.shape.as_deref().unwrap();
+    let meshes = pieces.iter().filter_map(|piece| match piece {
+        Piece::Mesh { indices, .. } => Some(indices.as_ref().map(Vec::len)),
+        Piece::Balls { .. } => None,
+    });
+    meshes.collect()
+}
+
+#[test]
+fn a_frame_of_a_drag_is_what_depends_on_the_pole_and_nothing_else() {
+    let mut engine = octant();
+    set(&mut engine, "B1", "=POINT(A4, 1/2, 1/2)");
+    set(&mut engine, "C1", "[(5, 0, 0), (6, 0, 0)]");
+    engine.set_name("C1", Some("apart")).unwrap();
+    let mut drag =
+        |to: [f64; 3], gesture| engine.move_pole("A1", &[0], &to, 0.01, gesture).unwrap();
+    drag([0.0, 0.0, 1.0], Gesture::Begin);
+    for step in 1..5 {
+        let update = drag([0.01 * f64::from(step), 0.0, 1.0], Gesture::During);
+        assert_eq!(addresses(&update), ["A1", "A4", "A5", "B1"]);
+        let drawn: Vec<&str> = update.drawings.iter().map(|one| one.address.as_str()).collect();
+        assert_eq!(drawn, ["A1", "A4", "A5"], "B1 is not shown, C1 has not changed");
+        let held: Vec<&str> = update.poles.iter().map(|net| net.address.as_str()).collect();
+        assert_eq!(held, ["A1"]);
+        assert!(update.notes.is_none() && update.camera.is_none() && !update.whole);
+    }
+    drag([0.04, 0.0, 1.0], Gesture::End);
+    assert_eq!(addresses(&engine.undo()), ["A1", "A4", "A5", "B1"]);
+    assert_eq!(engine.redo().cells.len(), 4, "all frames are one step");
+}
+
+#[test]
+fn triangles_that_stay_are_not_sent_again() {
+    let mut engine = Engine::new();
+    let net = "[[(0, 0, 0), (0, 1, 0)], [(1, 0, 0), (1, 1, 0)]]";
+    set(&mut engine, "A1", net);
+    let style = serde_json::json!({ "draw": ["surface"], "fineness": 2 });
+    let first = engine.set_style("A1", style.as_object().cloned()).unwrap();
+    assert_eq!(triangles(&first.drawings[0]), [Some(96)]);
+    let mut drag = |z, gesture| {
+        let update = engine.move_pole("A1", &[0, 0], &[0.0, 0.0, z], 0.0, gesture).unwrap();
+        triangles(&update.drawings[0])
+    };
+    drag(-0.1, Gesture::Begin);
+    assert_eq!(drag(-0.2, Gesture::During), [None], "bent the same way");
+    assert_eq!(drag(0.3, Gesture::End).len(), 1);
+    let finer = serde_json::json!({ "draw": ["surface"], "fineness": 3 });
+    let finer = engine.set_style("A1", finer.as_object().cloned()).unwrap();
+    assert_eq!(triangles(&finer.drawings[0]), [Some(384)]);
+    engine.set_style("A1", None).unwrap();
+    let again = engine.set_style("A1", style.as_object().cloned()).unwrap();
+    assert_eq!(triangles(&again.drawings[0]), [Some(96)], "the page has forgotten them");
+    let whole = engine.set_language(Language::French);
+    assert_eq!(triangles(&whole.drawings[0]), [Some(96)]);
+}
+
+#[test]
+fn a_colour_travels_without_the_shape() {
+    let mut engine = octant();
+    let mut styled = |table: serde_json::Value| {
+        let update = engine.set_style("A5", table.as_object().cloned()).unwrap();
+        update.drawings.into_iter().next().unwrap()
+    };
+    let thick =
+        |color, radius| serde_json::json!({ "draw": ["curve"], "color": color, "radius": radius });
+    assert!(styled(thick("#112233", 0.03)).shape.is_some());
+    let red = styled(thick("#ff0000", 0.03));
+    assert_eq!((red.shape, red.color), (None, [1.0, 0.0, 0.0]));
+    assert!(styled(thick("#ff0000", 0.02)).shape.is_some(), "another radius is another tube");
+    let update = engine.move_pole("A1", &[0], &[0.2, 0.0, 1.0], 0.0, Gesture::End).unwrap();
+    assert!(update.drawings.iter().all(|drawing| drawing.shape.is_some()));
 }
 
 #[test]

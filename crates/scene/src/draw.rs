@@ -2,8 +2,8 @@
 
 use pforms_kernel::{Error, Form, Result};
 use pforms_mesh::{
-    Polyline, Sampling, Triangles, curve, envelope, fibres, leaves, net, normals, points, poles,
-    require_room, surfaces,
+    Polyline, Sampling, curve, envelope, fibres, leaves, net, normals, points, poles, require_room,
+    surfaces,
 };
 
 use crate::{Mode, Part, Shading, Shapes, Style};
@@ -106,8 +106,9 @@ fn forecast(mode: Mode, forms: &[&Form], sampling: &Sampling) -> Result<()> {
 }
 
 fn triangles(forms: &[Form], sampling: &Sampling, style: &Style) -> Result<Vec<Part>> {
-    let mut all = Triangles::default();
-    for mesh in surfaces(forms, sampling)? {
+    let mut meshes = surfaces(forms, sampling)?.into_iter();
+    let mut all = meshes.next().unwrap_or_default();
+    for mesh in meshes {
         all.append(&mesh);
     }
     let shaded = if style.shading == Shading::Flat { all.flat() } else { all };

@@ -76,27 +76,27 @@ impl Part {
         bounds
     }
 
-    /// The part in single precision.
-    pub fn buffers(&self) -> Buffers {
+    /// The part in single precision; indices are taken over, not copied.
+    pub fn into_buffers(self) -> Buffers {
         match self {
             Self::Points { positions, radius } => {
-                Buffers::Points { positions: flat(positions), radius: *radius }
+                Buffers::Points { positions: flat(&positions), radius }
             }
             Self::Lines { polylines, radius } => {
                 let mut starts = vec![0];
                 let mut count = 0;
                 let mut positions = Vec::new();
-                for line in polylines {
+                for line in &polylines {
                     positions.extend(flat(&line.points));
                     count += line.points.len() as u32;
                     starts.push(count);
                 }
-                Buffers::Lines { positions, starts, radius: *radius }
+                Buffers::Lines { positions, starts, radius }
             }
             Self::Triangles(mesh) => Buffers::Triangles {
                 positions: flat(&mesh.positions),
                 normals: flat(&mesh.normals),
-                indices: mesh.indices.as_flattened().to_vec(),
+                indices: mesh.indices.into_flattened(),
             },
         }
     }

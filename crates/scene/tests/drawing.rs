@@ -142,10 +142,11 @@ fn a_subdivided_form_shows_its_pieces_and_its_refined_net() {
 fn buffers_hold_the_same_in_single_precision() {
     let table = json!({"draw": ["curve"], "fineness": 1, "radius": 0.5});
     let line = Form::from_points(&[2], 1, &[0.0, 1.0], None).unwrap();
-    let buffers = drawn(line, table)[0].buffers();
+    let buffers = drawn(line, table).swap_remove(0).into_buffers();
     let positions = vec![0., 0., 0., 0.5, 0., 0., 1., 0., 0.];
     assert_eq!(buffers, Buffers::Lines { positions, starts: vec![0, 3], radius: 0.5 });
-    let Buffers::Triangles { positions, normals, indices } = drawn(facet(), json!({}))[0].buffers()
+    let Buffers::Triangles { positions, normals, indices } =
+        drawn(facet(), json!({})).swap_remove(0).into_buffers()
     else {
         panic!()
     };

@@ -1,4 +1,4 @@
-import { el } from "../dom";
+import { el, show } from "../dom";
 import { localised, type Phrase, t } from "../i18n";
 import type { Store } from "../store";
 import { icon } from "./icons";
@@ -25,17 +25,17 @@ export class StatusBar {
       this.costs.setAttribute("aria-pressed", String(on));
       costs(on);
     });
-    const show = (): void => {
+    const tell = (): void => {
       const count = t("cells", { count: String(store.cells.size) });
       if (this.count.textContent !== count) this.count.textContent = count;
     };
-    store.on("cells", show);
+    store.on("cells", tell);
     localised(() => {
       this.stop.textContent = `${t("computing")} ${t("stop")}`;
       this.costs.title = t("costs");
       this.costs.setAttribute("aria-label", t("costs"));
       this.say(this.phrase);
-      show();
+      tell();
     });
   }
 
@@ -50,7 +50,7 @@ export class StatusBar {
     if (count === 0) {
       if (this.timer) clearTimeout(this.timer);
       this.timer = null;
-      this.busy.hidden = true;
-    } else this.timer ??= setTimeout(() => (this.busy.hidden = false), PATIENCE);
+      show(this.busy, false);
+    } else this.timer ??= setTimeout(() => show(this.busy, true), PATIENCE);
   }
 }

@@ -15,14 +15,14 @@ export function paintCell(
   draft: string | null,
   costs: boolean,
 ): void {
-  cell.removeAttribute("title");
   if (draft !== null) {
     cell.className = "draft";
+    cell.title = "";
     fill(cell, el("span", { class: "text" }, draft.slice(0, SHOWN)));
     return;
   }
   if (!info) {
-    cell.className = "";
+    cell.className = cell.title = "";
     fill(cell);
     return;
   }

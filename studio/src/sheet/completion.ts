@@ -1,4 +1,4 @@
-import { el, fill, freshId } from "../dom";
+import { el, fill, freshId, show } from "../dom";
 import type { Assistance, Operator } from "../engine/protocol";
 import { t } from "../i18n";
 
@@ -42,7 +42,7 @@ export class Completion {
   }
 
   hide(): void {
-    this.root.hidden = true;
+    show(this.root, false);
     this.answer = null;
   }
 

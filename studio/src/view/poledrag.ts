@@ -1,4 +1,5 @@
 import { Vector2, type Vector3 } from "three";
+import { show } from "../dom";
 import type { Session } from "../session";
 import { Drag, pick, toClip, toPixels } from "./drag";
 import type { Handle, Handles } from "./handles";
@@ -110,7 +111,7 @@ export class PoleDrag {
     this.gesture = null;
     delete this.canvas.dataset["dragging"];
     this.canvas.releasePointerCapture(event.pointerId);
-    this.label.hidden = true;
+    show(this.label, false);
     if (gesture.begun) void this.session.endDrag(this.request(gesture, gesture.last));
   }
 
@@ -129,8 +130,9 @@ export class PoleDrag {
       ?.poles.find((other) => other.index.join() === pole.index.join());
     if (!now) return;
     const at = this.pixels(gesture.last);
-    this.label.textContent = now.coordinates.join("   ");
+    const text = now.coordinates.join("   ");
+    if (this.label.textContent !== text) this.label.textContent = text;
     this.label.style.transform = `translate(${at.x + 14}px, ${at.y - 30}px)`;
-    this.label.hidden = false;
+    show(this.label, true);
   }
 }

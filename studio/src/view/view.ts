@@ -1,5 +1,5 @@
 import { Spherical } from "three";
-import { el } from "../dom";
+import { el, show } from "../dom";
 import type { Camera, ViewName } from "../engine/protocol";
 import { localised, t } from "../i18n";
 import type { Session } from "../session";
@@ -78,7 +78,7 @@ export class View {
     const first = drawn.size === 0;
     const all = touched ?? new Set([...drawn, ...store.drawings.keys()]);
     for (const address of all) this.stage.put(address, store.drawings.get(address));
-    this.nothing.hidden = store.drawings.size > 0;
+    show(this.nothing, store.drawings.size === 0);
     if (this.drag.active) return;
     if (this.untouched || first) this.look(this.stage.cameras.view, false);
     else this.stage.fitAxes();
