@@ -3,8 +3,7 @@
 #![allow(clippy::inline_always, reason = "only what is inlined is compiled for the wider sets")]
 
 use crate::basis::bernstein_row_into;
-use crate::bulk_scattered::{bernstein, gather};
-use crate::lanes::{Job, Lanes, MOST};
+use crate::lanes::{Job, Lanes, MOST, bernstein};
 use crate::planar::{BLOCK, Planar};
 use crate::{Form, Result, bernstein_row};
 
@@ -188,7 +187,7 @@ impl<'a, const N: usize> Last<'a, N> {
         if self.filled != Some(tile) {
             self.filled = Some(tile);
             for at in (0..list.len()).step_by(N) {
-                bernstein(gather(&list[at..]), &mut self.row);
+                bernstein(Lanes::load_some(&list[at..]), &mut self.row);
                 for (values, column) in
                     self.row.iter().zip(self.table.chunks_exact_mut(self.column))
                 {

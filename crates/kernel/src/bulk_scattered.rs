@@ -2,7 +2,8 @@
 
 #![allow(clippy::inline_always, reason = "only what is inlined is compiled for the wider sets")]
 
-use crate::lanes::{Job, Lanes};
+use crate::lanes::{Job, Lanes, bernstein};
+use crate::lanes_basis::short_row;
 use crate::planar::{BLOCK, Planar};
 use crate::{Form, Result};
 
@@ -39,24 +40,13 @@ impl Scattered<'_> {
         for (block, part) in out.chunks_mut(BLOCK * form.ambient()).enumerate() {
             let start = block * BLOCK;
             for at in (0..part.len() / form.ambient()).step_by(N) {
-                rows.fill(|axis| gather(&parameters[axis][start + at..]));
+                rows.fill(|axis| Lanes::load_some(&parameters[axis][start + at..]));
                 put_sums(form, rows.factors(), rows.last(), &mut planar, at);
             }
             planar.project(part)?;
         }
         Ok(())
     }
-}
-
-/// The first `N` numbers of a list; the last again where there are fewer.
-#[inline(always)]
-pub(crate) fn gather<const N: usize>(list: &[f64]) -> Lanes<N> {
-    if list.len() >= N {
-        return Lanes::load(list);
-    }
-    let mut lanes = Lanes::splat(list[list.len() - 1]);
-    lanes.0[..list.len()].copy_from_slice(list);
-    lanes
 }
 
 /// Basis values at `N` points: for the lines of poles along the last axis, and along that axis.
@@ -180,44 +170,6 @@ fn spread<const N: usize>(factors: &mut Vec<Lanes<N>>, row: &[Lanes<N>]) {
         for (product, entry) in factors[i * row.len()..].iter_mut().zip(row) {
             *product = factor * *entry;
         }
-    }
-}
-
-/// The Bernstein polynomials at `N` parameters, by the triangle of de Casteljau; up to degree 7 in
-/// registers.
-#[inline(always)]
-pub(crate) fn bernstein<const N: usize>(t: Lanes<N>, row: &mut [Lanes<N>]) {
-    match row.len() {
-        2 => row.copy_from_slice(&short_row::<N, 2>(t)),
-        3 => row.copy_from_slice(&short_row::<N, 3>(t)),
-        4 => row.copy_from_slice(&short_row::<N, 4>(t)),
-        5 => row.copy_from_slice(&short_row::<N, 5>(t)),
-        6 => row.copy_from_slice(&short_row::<N, 6>(t)),
-        7 => row.copy_from_slice(&short_row::<N, 7>(t)),
-        8 => row.copy_from_slice(&short_row::<N, 8>(t)),
-        _ => triangle(t, row),
-    }
-}
-
-#[inline(always)]
-fn short_row<const N: usize, const O: usize>(t: Lanes<N>) -> [Lanes<N>; O] {
-    let mut row = [Lanes::ZERO; O];
-    triangle(t, &mut row);
-    row
-}
-
-#[inline(always)]
-fn triangle<const N: usize>(t: Lanes<N>, row: &mut [Lanes<N>]) {
-    let s = Lanes::ONE - t;
-    row[0] = Lanes::ONE;
-    for degree in 1..row.len() {
-        let mut left = Lanes::ZERO;
-        for entry in &mut row[..degree] {
-            let above = *entry;
-            *entry = s * above + left;
-            left = t * above;
-        }
-        row[degree] = left;
     }
 }
 

@@ -14,6 +14,8 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use pulp::{Arch, Simd, WithSimd};
 
+pub use crate::lanes_basis::{bernstein, bernstein_slopes};
+
 /// The most lanes that any instruction set has.
 pub const MOST: usize = 8;
 
@@ -40,6 +42,17 @@ impl<const N: usize> Lanes<N> {
     pub fn load(list: &[f64]) -> Self {
         let mut lanes = [0.0; N];
         lanes.copy_from_slice(&list[..N]);
+        Self(lanes)
+    }
+
+    /// [`Lanes::load`], with the last number again where the list is too short; it is not empty.
+    #[inline(always)]
+    pub fn load_some(list: &[f64]) -> Self {
+        if list.len() >= N {
+            return Self::load(list);
+        }
+        let mut lanes = [list[list.len() - 1]; N];
+        lanes[..list.len()].copy_from_slice(list);
         Self(lanes)
     }
 

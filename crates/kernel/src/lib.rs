@@ -29,6 +29,7 @@ mod form;
 mod jet;
 mod kind;
 pub mod lanes;
+mod lanes_basis;
 pub mod limit;
 mod matrix;
 mod pascal;
