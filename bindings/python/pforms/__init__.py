@@ -8,7 +8,8 @@
 array([0.5, 0.5, 0.5])
 
 Every method of a form that is an operator is also a function: ``pf.elevate(form, 1)`` is
-``form.elevate(1)``.
+``form.elevate(1)``. Many forms come and go in one call: ``pf.grid(forms, 17, 17)`` takes a list,
+and a form with an axis more is a list in one array: ``pf.stack(forms).elevate((0, 1, 1))``.
 """
 
 from pforms._pforms import (
@@ -23,6 +24,7 @@ from pforms._pforms import (
     explain,
     fit,
     forecast,
+    grid,
     immerse,
     immerse_points,
     interpolate,
@@ -32,7 +34,9 @@ from pforms._pforms import (
     polyline,
     segment,
     set_cap,
+    set_threads,
     stack,
+    threads,
     tile,
 )
 from pforms.errors import (
@@ -56,7 +60,6 @@ diagonal = Form.diagonal
 elevate = Form.elevate
 evaluate = Form.evaluate
 frame = Form.frame
-grid = Form.grid
 hodograph = Form.hodograph
 normal_form = Form.normal_form
 normals = Form.normals
@@ -122,12 +125,14 @@ __all__ = [
     "save",
     "segment",
     "set_cap",
+    "set_threads",
     "split",
     "stack",
     "stretch",
     "sub",
     "subdivide",
     "tangent_form",
+    "threads",
     "tile",
     "transpose",
     "unstack",

@@ -30,6 +30,7 @@ __all__ = [
     "explain",
     "fit",
     "forecast",
+    "grid",
     "immerse",
     "immerse_points",
     "interpolate",
@@ -39,7 +40,9 @@ __all__ = [
     "polyline",
     "segment",
     "set_cap",
+    "set_threads",
     "stack",
+    "threads",
     "tile",
 ]
 
@@ -82,7 +85,20 @@ class Form:
         derivative: _WholePerAxis | None = None,
         out: _Array | None = None,
     ) -> _Array: ...
-    def grid(self, *parameters: int | ArrayLike, out: _Array | None = None) -> _Array: ...
+    @overload
+    def grid(
+        self,
+        *parameters: int | ArrayLike,
+        normals: Literal[False] = False,
+        out: _Array | None = None,
+    ) -> _Array: ...
+    @overload
+    def grid(
+        self,
+        *parameters: int | ArrayLike,
+        normals: Literal[True],
+        out: tuple[_Array, _Array] | None = None,
+    ) -> tuple[_Array, _Array]: ...
     def normals(self, u: ArrayLike, v: ArrayLike, *, out: _Array | None = None) -> _Array: ...
     def frame(
         self,
@@ -213,6 +229,24 @@ def set_cap(bytes: int) -> None: ...
 def _draw_forms(forms: object, look: object) -> list[bytes]: ...
 def _read_forms(name: str, bytes: bytes) -> list[tuple[str | None, Form]]: ...
 def _write_forms(name: str, forms: object) -> bytes: ...
+def threads() -> int: ...
+def set_threads(count: int | None) -> None: ...
+@overload
+def grid(
+    forms: Form | Iterable[Form],
+    /,
+    *parameters: int | ArrayLike,
+    normals: Literal[False] = False,
+    out: _Array | None = None,
+) -> _Array: ...
+@overload
+def grid(
+    forms: Form | Iterable[Form],
+    /,
+    *parameters: int | ArrayLike,
+    normals: Literal[True],
+    out: tuple[_Array, _Array] | None = None,
+) -> tuple[_Array, _Array]: ...
 def midpoint(*forms: Form | Iterable[Form]) -> Form: ...
 def stack(*forms: Form | Iterable[Form]) -> Form: ...
 def combine(k: Sequence[_Number] | _Array, *forms: Form | Iterable[Form]) -> Form: ...

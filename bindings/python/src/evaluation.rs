@@ -1,19 +1,19 @@
 //! Points of forms: calls, grids and derivatives.
 
 use numpy::PyArrayDyn;
-use pforms_kernel::{Error, Form, Result, limit};
+use pforms_kernel::{Form, Result, limit};
 use pforms_operators::{Immersed, Piecewise};
 use pyo3::prelude::*;
-use pyo3::types::{PyInt, PyTuple};
+use pyo3::types::PyTuple;
 
-use crate::arguments::{whole, wholes};
-use crate::arrays::Numbers;
-use crate::errors::{fail, raised};
+use crate::arguments::wholes;
+use crate::errors::raised;
 use crate::form::PyForm;
 use crate::operators::immersed;
 use crate::outputs::filled;
 use crate::parameters::Parameters;
-use crate::slices::{fill_grid, fill_scattered};
+use crate::sampling::Grids;
+use crate::slices::fill_scattered;
 
 /// What has a point for every parameter.
 pub(crate) trait Evaluate: Sync {
@@ -110,7 +110,8 @@ pub(crate) fn points<'py>(
     {
         let lists: Vec<&[f64]> = lists.iter().map(AsRef::as_ref).collect();
         return filled(py, shape, width, out, |numbers| {
-            fill_grid(py, &lists, cost, numbers, &|lists, part| form.grid_into(lists, part))
+            Grids::new(&[form], &lists, numbers)
+                .fill(py, cost, &|part| form.grid_into(&part.lists, part.points))
         });
     }
     let points = parameters.scattered();
@@ -204,71 +205,4 @@ impl PyForm {
         let orders = derivative.map(|d| derivative_orders(d, &self.form)).transpose()?;
         points(&self.form, parameters, orders.as_deref(), out)
     }
-
-    /// Points on a grid of parameters.
-    ///
-    /// Parameters
-    /// ----------
-    /// *parameters : int or array_like
-    ///     For each axis a count, for so many equal steps from 0 to 1, or a list of parameters.
-    /// out : ndarray, optional
-    ///     A C-contiguous float64 array of the result's shape.
-    ///
-    /// Returns
-    /// -------
-    /// ndarray, shape (m1, …, md, c)
-    ///
-    /// Raises
-    /// ------
-    /// ShapeError
-    ///     Unless there is one argument for each axis, and when ``out`` does not fit.
-    /// DomainError
-    ///     Where the weight vanishes, for NaN, and for a negative count.
-    ///
-    /// Examples
-    /// --------
-    /// >>> facet = pf.Form([[(0, 0, 0), (0, 1, 1)], [(1, 0, 1), (1, 1, 0)]])
-    /// >>> facet.grid(3, [0.5])[:, 0]
-    /// array([[0. , 0.5, 0.5],
-    ///        [0.5, 0.5, 0.5],
-    ///        [1. , 0.5, 0.5]])
-    #[pyo3(signature = (*parameters, out=None))]
-    fn grid<'py>(
-        &self,
-        parameters: &Bound<'py, PyTuple>,
-        out: Option<&Bound<'py, PyAny>>,
-    ) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
-        let lines: Vec<Numbers<'py>> =
-            parameters.iter().map(|given| line(&given)).collect::<PyResult<_>>()?;
-        let lists: Vec<&[f64]> = lines.iter().map(Numbers::values).collect();
-        self.form.require_per_axis("parameters", &lists).map_err(|error| raised(&error))?;
-        let shape: Vec<usize> = lists.iter().map(|list| list.len()).collect();
-        let py = parameters.py();
-        filled(py, &shape, Some(self.form.ambient()), out, |numbers| {
-            let fill = |lists: &[&[f64]], part: &mut [f64]| self.form.grid_into(lists, part);
-            fill_grid(py, &lists, self.form.cost(), numbers, &fill)
-        })
-    }
-}
-
-/// The parameters of one axis of a grid: a list, or a count of equal steps.
-fn line<'py>(given: &Bound<'py, PyAny>) -> PyResult<Numbers<'py>> {
-    if !given.is_instance_of::<PyInt>() {
-        let numbers = Numbers::read("parameters", given)?;
-        match numbers.shape() {
-            [_] => return Ok(numbers),
-            [] => {}
-            shape => {
-                return fail(&Error::shape(
-                    "parameters",
-                    format!("an array of shape {shape:?}"),
-                    "for each axis a count or a list of parameters",
-                ));
-            }
-        }
-    }
-    let count = whole("parameters", given)?;
-    limit::check::<f64>("the grid", &[count], 1).map_err(|error| raised(&error))?;
-    let last = count.saturating_sub(1).max(1) as f64;
-    Ok((0..count).map(|i| i as f64 / last).collect::<Vec<f64>>().into())
 }

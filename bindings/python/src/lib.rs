@@ -6,7 +6,6 @@
 mod arguments;
 mod arithmetic;
 mod arrays;
-mod cap;
 mod columns;
 mod drawing;
 mod errors;
@@ -15,6 +14,7 @@ mod files;
 mod form;
 mod forms;
 mod gestures;
+mod grids;
 mod immersed;
 mod inside;
 mod making;
@@ -24,6 +24,8 @@ mod outputs;
 mod parameters;
 mod piecewise;
 mod points;
+mod sampling;
+mod settings;
 mod sheet;
 mod slices;
 mod values;
@@ -34,8 +36,6 @@ mod view;
 #[pyo3::pymodule]
 mod _pforms {
     #[pymodule_export]
-    use crate::cap::{cap, set_cap};
-    #[pymodule_export]
     use crate::drawing::_draw_forms;
     #[pymodule_export]
     use crate::files::{_read_forms, _write_forms};
@@ -44,6 +44,8 @@ mod _pforms {
     #[pymodule_export]
     use crate::gestures::{bernstein, combine, explain, midpoint, partition, pascal, stack};
     #[pymodule_export]
+    use crate::grids::grid;
+    #[pymodule_export]
     use crate::immersed::{PyImmersed, forecast, immerse};
     #[pymodule_export]
     use crate::inside::{immerse_points, polyline, segment, tile};
@@ -51,6 +53,8 @@ mod _pforms {
     use crate::making::{fit, interpolate};
     #[pymodule_export]
     use crate::piecewise::PyPiecewise;
+    #[pymodule_export]
+    use crate::settings::{cap, set_cap, set_threads, threads};
     #[pymodule_export]
     use crate::sheet::PySheet;
 

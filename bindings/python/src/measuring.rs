@@ -15,7 +15,8 @@ use crate::errors::fail;
 use crate::form::PyForm;
 use crate::outputs::filled;
 use crate::parameters::Parameters;
-use crate::slices::{SLICE, fill_grid, fill_scattered, in_slices, slice_of};
+use crate::sampling::Grids;
+use crate::slices::{SLICE, fill_scattered, in_slices, slice_of};
 
 const KINDS: [&str; 3] = ["frenet", "rotation-minimising", "tangent"];
 
@@ -62,8 +63,8 @@ impl PyForm {
         if let Some(lists) = parameters.grid() {
             let lists: Vec<&[f64]> = lists.iter().map(AsRef::as_ref).collect();
             return filled(py, shape, Some(3), out, |normals| {
-                fill_grid(py, &lists, cost, normals, &|lists, part| {
-                    operators::normal_grid_into(form, lists, part)
+                Grids::new(&[form], &lists, normals).fill(py, cost, &|part| {
+                    operators::normal_grid_into(form, &part.lists, part.points)
                 })
             });
         }

@@ -1,16 +1,17 @@
-//! The parameters of many points, read in blocks: what lies scattered is gathered block by block.
+//! The parameters of many points; what does not lie in a row is gathered block by block.
 
 use std::borrow::Cow;
 use std::ops::Range;
 
 use numpy::ndarray::{ArrayView1, ArrayViewD, ArrayViewMut1, Axis, Ix1, Slice};
 use pforms_kernel::Result;
+use pforms_kernel::threads::fill_parts;
 use smallvec::SmallVec;
 
-/// Points in a block: their parameters stay in the nearest memory, and full blocks of lanes.
-const BLOCK: usize = 1 << 12;
+/// Most points in a block: their parameters stay in the cache.
+const BLOCK: usize = 1 << 14;
 
-/// Multiplications in a block, unless its points are fewer: little enough for one thread.
+/// Most multiplications in a block: so few that the job begins no threads of its own.
 const WORK: usize = 1 << 20;
 
 /// Blocks hold a multiple of so many points.
@@ -45,15 +46,13 @@ impl<'a> Row<'a> {
         Self::Slice(wide.rows().into_iter().flatten().copied().collect())
     }
 
-    fn gather(&self, range: Range<usize>, buffer: &mut Vec<f64>) {
+    /// Copies the values of a range of points.
+    fn gather(&self, range: Range<usize>, copy: &mut [f64]) {
         match self {
-            Self::Same(number) => buffer.resize(buffer.len() + range.len(), *number),
-            Self::Slice(values) => buffer.extend_from_slice(&values[range]),
+            Self::Same(number) => copy.fill(*number),
+            Self::Slice(values) => copy.copy_from_slice(&values[range]),
             Self::Strided(line) => {
-                let start = buffer.len();
-                buffer.resize(start + range.len(), 0.0);
-                let part = line.slice_axis(Axis(0), Slice::from(range));
-                ArrayViewMut1::from(&mut buffer[start..]).assign(&part);
+                ArrayViewMut1::from(copy).assign(&line.slice_axis(Axis(0), Slice::from(range)));
             }
         }
     }
@@ -86,7 +85,7 @@ impl<'a> Points<'a> {
         let all = |row| match row {
             Row::Slice(values) => values,
             other => {
-                let mut values = Vec::new();
+                let mut values = vec![0.0; self.count];
                 other.gather(0..self.count, &mut values);
                 values.into()
             }
@@ -94,8 +93,9 @@ impl<'a> Points<'a> {
         self.rows.into_iter().map(all).collect()
     }
 
-    /// Does a job of about `cost` multiplications a point for the points of a range in blocks: it
-    /// is given the parameters of a block and its part of `out`.
+    /// Does a job of about `cost` multiplications a point for the points of a range: it is given
+    /// their parameters and their part of `out`, all at once or, when parameters must be gathered,
+    /// block after block.
     ///
     /// Without points it is done once, so that it can complain of what does not fit.
     pub(crate) fn in_blocks(
@@ -107,36 +107,34 @@ impl<'a> Points<'a> {
     ) -> Result<()> {
         let width = out.len() / range.len().max(1);
         let step = (WORK / cost.max(1) / LANES * LANES).clamp(LANES, BLOCK);
-        let mut buffer = Vec::new();
-        let mut start = range.start;
-        loop {
-            let end = range.end.min(start + step);
-            let part = (start - range.start) * width..(end - range.start) * width;
-            job(&self.lists(start..end, &mut buffer), &mut out[part])?;
-            if end == range.end {
-                return Ok(());
-            }
-            start = end;
+        if range.is_empty() || self.rows.iter().all(|row| matches!(row, Row::Slice(_))) {
+            return job(&self.lists(&range, &mut []), out);
         }
+        fill_parts(out, width, 2 * cost, |part, out| {
+            let mut buffer = vec![0.0; step.min(part.len()) * self.rows.len()];
+            let blocks = out.chunks_mut(step * width).zip(part.clone().step_by(step));
+            for (out, start) in blocks {
+                let block = range.start + start..range.start + part.end.min(start + step);
+                job(&self.lists(&block, &mut buffer), out)?;
+            }
+            Ok(())
+        })
     }
 
     /// The values of each parameter for a range of points; `buffer` holds those gathered.
     fn lists<'b>(
         &'b self,
-        range: Range<usize>,
-        buffer: &'b mut Vec<f64>,
+        range: &Range<usize>,
+        mut buffer: &'b mut [f64],
     ) -> SmallVec<[&'b [f64]; 4]> {
-        buffer.clear();
-        let elsewhere = self.rows.iter().filter(|row| !matches!(row, Row::Slice(_)));
-        elsewhere.for_each(|row| row.gather(range.clone(), buffer));
-        let buffer: &'b [f64] = buffer;
-        let mut gathered = (0..).map(|k| k * range.len());
         let list = |row: &'b Row<'a>| {
             if let Row::Slice(values) = row {
                 return &values[range.clone()];
             }
-            let place = gathered.next().unwrap_or_default();
-            &buffer[place..][..range.len()]
+            let (copy, rest) = std::mem::take(&mut buffer).split_at_mut(range.len());
+            buffer = rest;
+            row.gather(range.clone(), copy);
+            &*copy
         };
         self.rows.iter().map(list).collect()
     }

@@ -66,29 +66,6 @@ pub(crate) fn fill_scattered(
     })
 }
 
-/// Fills `out` on the grid of the lists, halving what would take longer than a slice.
-pub(crate) fn fill_grid(
-    py: Python<'_>,
-    lists: &[&[f64]],
-    cost: usize,
-    out: &mut [f64],
-    fill: &(impl Fn(&[&[f64]], &mut [f64]) -> Result<()> + Sync),
-) -> PyResult<()> {
-    let work = lists.iter().fold(cost, |work, list| work.saturating_mul(list.len()));
-    let Some(axis) = lists.iter().position(|list| list.len() > 1).filter(|_| work > SLICE) else {
-        return done(py, work, || fill(lists, out));
-    };
-    let list = lists[axis];
-    let half = list.len() / 2;
-    let (low, high) = out.split_at_mut(out.len() / list.len() * half);
-    let mut part = lists.to_vec();
-    part[axis] = &list[..half];
-    fill_grid(py, &part, cost, low, fill)?;
-    py.check_signals()?;
-    part[axis] = &list[half..];
-    fill_grid(py, &part, cost, high, fill)
-}
-
 /// Refuses what could not be interrupted and would take too long.
 ///
 /// Errors: `LimitError` above 1e11 multiplications.

@@ -122,3 +122,98 @@ def test_not_a_number_is_found_in_any_block(make):
     table[17_000, 1] = np.nan
     with pytest.raises(pf.DomainError, match="NaN"):
         make(3, 3)(*table.T)
+
+
+def test_a_list_of_forms_has_a_grid_for_each(make):
+    several = [make(4, 4), make(3, 2), make(4, 4, rational=False), make(4, 4)]
+    u, v = np.linspace(0, 1, 5), [0.25, 0.75]
+    expected = np.stack([form.grid(u, v) for form in several])
+    np.testing.assert_array_equal(pf.grid(several, u, v), expected)
+    np.testing.assert_array_equal(pf.grid(tuple(several), 5, v), expected)
+    np.testing.assert_array_equal(pf.grid(iter(several), u, v), expected)
+    np.testing.assert_array_equal(pf.grid(several[:1], u, v), expected[:1])
+    np.testing.assert_array_equal(pf.grid(several[0], u, v), expected[0])
+    out = np.empty((2, *expected.shape))
+    assert np.shares_memory(pf.grid(several, u, v, out=out[1]), out)
+    np.testing.assert_array_equal(out[1], expected)
+    assert pf.grid(several, 0, 3).shape == (4, 0, 3, 3)
+
+
+def test_lists_of_points_and_curves_too(make):
+    points = [make(), make()]
+    np.testing.assert_array_equal(pf.grid(points), [point() for point in points])
+    curves = [make(2, ambient=1), make(7, ambient=1)]
+    np.testing.assert_array_equal(pf.grid(curves, 4), [curve.grid(4) for curve in curves])
+
+
+def test_long_lists_are_cut_without_a_trace(make):
+    several = [make(6, 6), make(9, 9)] * 9
+    t = np.linspace(0, 1, 500)
+    all_ = pf.grid(several, t, t)
+    for form, grid in zip(several, all_, strict=True):
+        np.testing.assert_array_equal(form.grid(t, t), grid)
+    points, normals = pf.grid(several, t, t, normals=True)
+    np.testing.assert_array_equal(points, all_)
+    np.testing.assert_array_equal(normals[-1], several[-1].normals(t[:, None], t))
+
+
+@pytest.mark.parametrize(
+    ("forms", "said"),
+    [
+        ([], "forms: received none, expected at least one"),
+        (None, "forms: received None, expected a list of forms"),
+        ([1], "forms: received an int, expected a pforms.Form"),
+        (np.zeros((2, 4, 4, 3)), "forms: received a ndarray, expected a pforms.Form"),
+        ([pf.Form(np.zeros((2, 2, 3))), pf.Form(np.zeros((2, 2, 2)))], "forms in 3D and 2D"),
+        ([pf.Form(np.zeros((2, 2, 3))), pf.Form(np.zeros((2, 3)))], "parameters: received 2"),
+    ],
+)
+def test_lists_that_do_not_go_together_are_refused(forms, said):
+    with pytest.raises(pf.ShapeError, match=said):
+        pf.grid(forms, 3, 3)
+
+
+def test_points_and_normals_come_in_one_pass(make, octant):
+    u, v = np.linspace(0, 1, 7), np.linspace(0, 1, 4)
+    for form in (make(4, 4), make(2, 5, rational=False), octant):
+        points, normals = form.grid(u, v, normals=True)
+        np.testing.assert_allclose(points, form.grid(u, v), rtol=1e-13, atol=1e-14)
+        np.testing.assert_allclose(normals, form.normals(u[:, None], v), rtol=1e-13, atol=1e-14)
+        places = np.empty((7, 4, 3)), np.empty((7, 4, 3))
+        one, other = form.grid(u, v, normals=True, out=places)
+        assert one is places[0]
+        assert other is places[1]
+        np.testing.assert_array_equal(one, points)
+        np.testing.assert_array_equal(other, normals)
+    both = pf.grid([octant, octant], u, v, normals=True)
+    np.testing.assert_array_equal(both[1], [normals, normals])
+    np.testing.assert_array_equal(octant.grid(u, v, normals=False), points)
+
+
+@pytest.mark.parametrize(
+    "out",
+    [
+        np.empty((4, 5, 3)),
+        (np.empty((4, 5, 3)),),
+        (np.empty((4, 5, 3)), np.empty((4, 5, 2))),
+        (np.empty((4, 5, 3)), None),
+        (np.empty((4, 5, 3)), np.empty((4, 5, 3), "f4")),
+        (SAME := np.empty((4, 5, 3)), SAME),
+        "out",
+    ],
+)
+def test_places_for_normals_must_fit(make, out):
+    with pytest.raises(pf.ShapeError, match="^out: received"):
+        make(3, 3).grid(4, 5, normals=True, out=out)
+
+
+def test_only_surfaces_in_space_have_normals(make):
+    for form, counts in (
+        (make(3), (4,)),
+        (make(3, 3, ambient=2), (4, 4)),
+        (make(2, 2, 2), (0, 1, 1)),
+    ):
+        with pytest.raises(pf.ShapeError, match="a surface in"):
+            form.grid(*counts, normals=True)
+    with pytest.raises(pf.ArgumentError, match="normals: received an int"):
+        make(3, 3).grid(2, 2, normals=7)

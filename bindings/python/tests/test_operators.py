@@ -18,7 +18,6 @@ OPERATORS = [
     "elevate",
     "evaluate",
     "frame",
-    "grid",
     "hodograph",
     "normals",
     "reduce",
@@ -29,6 +28,7 @@ OPERATORS = [
     "sub",
     "subdivide",
     "transpose",
+    "unstack",
     "whole_line",
     "with_pole",
 ]

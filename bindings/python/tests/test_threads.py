@@ -1,6 +1,7 @@
 """Work is done without Python's lock, and forms are shared between threads and processes."""
 
 import multiprocessing
+import os
 import signal
 import sys
 import threading
@@ -128,3 +129,51 @@ def curve():
 
 def surface():
     return pf.Form(np.random.default_rng(1).uniform(-1, 1, (20, 20, 3)))
+
+
+@pytest.fixture
+def threads():
+    """Leaves the number of threads as it was."""
+    yield
+    pf.set_threads(None)
+
+
+@pytest.mark.usefixtures("threads")
+def test_threads_can_be_limited_and_leave_no_trace():
+    pf.set_threads(1)
+    assert pf.threads() == 1
+    t = np.linspace(0, 1, 700)
+    table = np.random.default_rng(1).uniform(0, 1, (300_000, 2))
+    lazy = pf.immerse(pf.Form([[(0, 0), (0, 1)], [(1, 0), (1, 1)]]), surface(), lazy=True)
+    work = (
+        lambda: surface().grid(t, t),
+        lambda: surface()(*table.T),
+        lambda: surface()(*np.ascontiguousarray(table.T)),
+        lambda: surface().normals(*table.T),
+        lambda: lazy(*table[:2000].T),
+    )
+    alone = [job() for job in work]
+    pf.set_threads(None)
+    assert pf.threads() >= 1
+    most = pf.threads()
+    pf.set_threads(10_000)
+    assert pf.threads() == most
+    for job, expected in zip(work, alone, strict=True):
+        np.testing.assert_array_equal(job(), expected)
+
+
+@pytest.mark.parametrize(
+    ("count", "error"),
+    [(0, pf.DomainError), (-1, pf.DomainError), (1.5, pf.DomainError), ("all", pf.ArgumentError)],
+)
+def test_a_number_of_threads_is_whole(count, error):
+    with pytest.raises(error, match="^count: received"):
+        pf.set_threads(count)
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="there is no fork")
+def test_a_forked_process_has_threads_of_its_own():
+    t = np.linspace(0, 1, 700)
+    expected = surface().grid(t, t)
+    with multiprocessing.get_context("fork").Pool(1) as pool:
+        np.testing.assert_array_equal(pool.apply(pf.grid, (surface(), t, t)), expected)
