@@ -15,7 +15,7 @@ has_library() {
 }
 
 compile() {
-    cargo build --locked --release --package pforms-wasm --target "$target" "$@"
+    cargo build --locked --profile wasm --package pforms-wasm --target "$target" "$@"
 }
 
 compile_with_debian() {
@@ -37,11 +37,11 @@ fi
 
 if has_library; then
     compile
-    module=target/$target/release/pforms_wasm.wasm
+    module=target/$target/wasm/pforms_wasm.wasm
 else
     echo "wasm: Debian's library, built from source"
     compile_with_debian
-    module=target/wasm-debian/$target/release/pforms_wasm.wasm
+    module=target/wasm-debian/$target/wasm/pforms_wasm.wasm
 fi
 
 rm -rf "$outdir"

@@ -12,6 +12,7 @@
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
+#[cfg(not(target_arch = "wasm32"))]
 use pulp::{Arch, Simd, WithSimd};
 
 pub use crate::lanes_basis::{bernstein, bernstein_slopes};
@@ -19,7 +20,8 @@ pub use crate::lanes_basis::{bernstein, bernstein_slopes};
 /// The most lanes that any instruction set has.
 pub const MOST: usize = 8;
 
-/// `N` numbers side by side: 2 in a register of SSE2, NEON or WebAssembly, 4 of AVX2, 8 of AVX-512.
+/// `N` numbers side by side: 2 in a register of SSE2 or NEON, 4 of AVX2, 8 of AVX-512; 4 in two of
+/// WebAssembly.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(transparent)]
 pub struct Lanes<const N: usize>(pub [f64; N]);
@@ -86,6 +88,10 @@ impl<const N: usize> Lanes<N> {
     #[inline(always)]
     #[must_use]
     pub fn sqrt(self) -> Self {
+        #[cfg(target_arch = "wasm32")]
+        if N.is_multiple_of(2) {
+            return crate::simd128::sqrt(self);
+        }
         self.map(f64::sqrt)
     }
 }
@@ -95,6 +101,10 @@ impl<const N: usize> Add for Lanes<N> {
 
     #[inline(always)]
     fn add(self, other: Self) -> Self {
+        #[cfg(target_arch = "wasm32")]
+        if N.is_multiple_of(2) {
+            return crate::simd128::add(self, other);
+        }
         self.zip(other, |a, b| a + b)
     }
 }
@@ -104,6 +114,10 @@ impl<const N: usize> Sub for Lanes<N> {
 
     #[inline(always)]
     fn sub(self, other: Self) -> Self {
+        #[cfg(target_arch = "wasm32")]
+        if N.is_multiple_of(2) {
+            return crate::simd128::sub(self, other);
+        }
         self.zip(other, |a, b| a - b)
     }
 }
@@ -113,6 +127,10 @@ impl<const N: usize> Mul for Lanes<N> {
 
     #[inline(always)]
     fn mul(self, other: Self) -> Self {
+        #[cfg(target_arch = "wasm32")]
+        if N.is_multiple_of(2) {
+            return crate::simd128::mul(self, other);
+        }
         self.zip(other, |a, b| a * b)
     }
 }
@@ -122,6 +140,10 @@ impl<const N: usize> Div for Lanes<N> {
 
     #[inline(always)]
     fn div(self, other: Self) -> Self {
+        #[cfg(target_arch = "wasm32")]
+        if N.is_multiple_of(2) {
+            return crate::simd128::div(self, other);
+        }
         self.zip(other, |a, b| a / b)
     }
 }
@@ -170,11 +192,17 @@ pub trait Job {
 /// assert_eq!(numbers, [2.0; 16]);
 /// ```
 pub fn in_lanes<J: Job>(job: J) -> J::Output {
+    // A browser compiles for its machine itself; two vectors at a time keep it busy.
+    #[cfg(target_arch = "wasm32")]
+    return job.run::<4>();
+    #[cfg(not(target_arch = "wasm32"))]
     Arch::new().dispatch(Compiled(job))
 }
 
+#[cfg(not(target_arch = "wasm32"))]
 struct Compiled<J>(J);
 
+#[cfg(not(target_arch = "wasm32"))]
 impl<J: Job> WithSimd for Compiled<J> {
     type Output = J::Output;
 

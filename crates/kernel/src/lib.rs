@@ -37,6 +37,8 @@ mod planar;
 mod product;
 mod rational;
 mod scalar;
+#[cfg(target_arch = "wasm32")]
+mod simd128;
 pub mod threads;
 
 pub use basis::{bernstein_row, blossom_row, projective_blossom_row, taylor_rows};
