@@ -1,35 +1,67 @@
-//! Exact operators on forms of `f64`.
+//! Exact operators: how long one call takes.
 
 use divan::{Bencher, black_box};
-use pforms_benches::{inside_the_cube, rational};
+use pforms_benches::{Kind, form, inside};
+use pforms_kernel::threads;
 use pforms_operators as operators;
 
 fn main() {
+    threads::limit(1);
     divan::main();
 }
 
-#[divan::bench(args = [4, 13, 31])]
-fn elevate(bencher: Bencher, order: usize) {
-    let form = rational(&[order, order]);
-    bencher.bench(|| operators::elevate(black_box(&form), &[4, 4]));
+const SWEEP: [Kind; 12] = Kind::sweep([(1, 4), (1, 14), (2, 4), (2, 13), (2, 31), (3, 4)]);
+const SURFACES: [Kind; 6] = Kind::sweep([(2, 4), (2, 14), (2, 31)]);
+
+#[divan::bench(args = SWEEP)]
+fn elevate(bencher: Bencher, kind: Kind) {
+    let (form, by) = (kind.form(), vec![4; kind.axes]);
+    bencher.bench(|| operators::elevate(black_box(&form), &by));
 }
 
-#[divan::bench(args = [4, 14, 31])]
-fn diagonal(bencher: Bencher, order: usize) {
-    let form = rational(&[order, order]);
+/// Halved once along each axis: four quarters of a surface.
+#[divan::bench(args = SWEEP)]
+fn subdivide(bencher: Bencher, kind: Kind) {
+    let (form, levels) = (kind.form(), vec![1; kind.axes]);
+    bencher.bench(|| operators::subdivide(black_box(&form), &levels));
+}
+
+#[divan::bench(args = SWEEP)]
+fn split(bencher: Bencher, kind: Kind) {
+    let form = kind.form();
+    bencher.bench(|| operators::split(black_box(&form), 0, &0.5));
+}
+
+#[divan::bench(args = SWEEP)]
+fn stretch(bencher: Bencher, kind: Kind) {
+    let (form, from, to) = (kind.form(), vec![0.25; kind.axes], vec![0.875; kind.axes]);
+    bencher.bench(|| operators::stretch(black_box(&form), &from, &to));
+}
+
+#[divan::bench(args = SURFACES)]
+fn diagonal(bencher: Bencher, kind: Kind) {
+    let form = kind.form();
     bencher.bench(|| operators::diagonal(black_box(&form), 0, 1));
 }
 
-#[divan::bench(args = [1, 3])]
-fn subdivide(bencher: Bencher, depth: u32) {
-    let form = rational(&[4, 4]);
-    bencher.bench(|| operators::subdivide(black_box(&form), &[depth; 2]));
-}
+/// Orders of what is immersed, and of the host; rational or not.
+const IMMERSIONS: [(&[usize], &[usize], bool); 10] = [
+    (&[4], &[4, 4], false),
+    (&[4], &[4, 4], true),
+    (&[2, 2], &[4, 4], false),
+    (&[2, 2], &[4, 4], true),
+    (&[4, 4], &[2, 2, 2], false),
+    (&[4, 4], &[2, 2, 2], true),
+    (&[2, 2, 2], &[3, 3, 3], false),
+    (&[2, 2, 2], &[3, 3, 3], true),
+    (&[4, 4, 4], &[4, 4, 4], false),
+    (&[4, 4, 4], &[4, 4, 4], true),
+];
 
-/// A volume of the given order on each axis in a triquadratic host.
-#[divan::bench(args = [2, 3])]
-fn immerse(bencher: Bencher, order: usize) {
-    let inner = inside_the_cube(&[order; 3]);
-    let host = rational(&[3, 3, 3]);
+#[divan::bench(args = 0..IMMERSIONS.len())]
+fn immerse(bencher: Bencher, which: usize) {
+    let (inner_orders, host_orders, rational) = IMMERSIONS[which];
+    let inner = inside(host_orders.len(), inner_orders, rational);
+    let host = form(host_orders, rational);
     bencher.bench(|| operators::immerse(black_box(&inner), &host));
 }
