@@ -24,7 +24,7 @@ rust_sources := $(shell find crates bindings xtask Cargo.toml Cargo.lock .cargo 
 studio_sources := $(shell find studio cases/sheets cases/models -type f \
 	-not -path '*/node_modules/*' -not -path '*/dist/*' -not -path '*/wasm/*' -not -path '*/e2e/*' 2>/dev/null)
 
-.PHONY: help run studio test test-rust test-python test-studio bench lint lint-rust lint-arrows \
+.PHONY: help run studio test test-rust test-python test-studio bench bench-rust lint lint-rust lint-arrows \
 	lint-python lint-studio format book clean essentials components
 
 help:
@@ -32,7 +32,7 @@ help:
 	@echo "make test    every test of every face                (test-rust, test-python, test-studio)"
 	@echo "make lint    formatting, lints, types, import arrows (lint-rust, lint-python, …)"
 	@echo "make format  what make lint would complain about, put right where a tool can"
-	@echo "make bench   speed, beside other libraries"
+	@echo "make bench   speed, beside other libraries           (bench-rust)"
 	@echo "make book    the manual, into book/html"
 	@echo "make clean   removes what was built"
 
@@ -47,7 +47,7 @@ $(page): $(engine) $(modules) $(studio_sources)
 	cd studio && npm run build
 	@touch $@
 
-$(engine): $(rust_sources) tools/wasm.sh | essentials
+$(engine): $(rust_sources) tools/wasm.sh tools/wasm-compile.sh | essentials
 	tools/wasm.sh $(@D)
 	@touch $@
 
@@ -65,6 +65,7 @@ test-rust: | essentials
 
 test-python: $(extension)
 	$(PYTHON)/python -m pytest bindings/python
+	$(PYTHON)/python -m pytest --quiet -p no:cacheprovider benches
 	$(PYTHON)/python -m pytest book
 
 test-studio: $(page)
@@ -80,8 +81,11 @@ test-studio: $(page)
 	@touch $@
 
 .tools/python/ready: tools/requirements.txt
-.tools/bench/ready: benches/requirements.txt
 .tools/book/ready: book/requirements.txt
+
+.tools/bench/ready: benches/setup.sh benches/requirements.txt benches/peers/sisl.c | essentials
+	benches/setup.sh .tools/bench
+	@touch $@
 
 $(extension): .tools/python/ready $(rust_sources) bindings/python/pyproject.toml
 	VIRTUAL_ENV=$(CURDIR)/.tools/python $(PYTHON)/maturin develop --locked --release \
@@ -114,11 +118,18 @@ format: components .tools/python/ready
 
 # ---- speed, manual ----------------------------------------------------------------------------
 
-bench: $(extension) .tools/bench/ready
-	cargo bench --locked --package pforms-benches
+# make bench ASK="grid immerse --peers scipy --threads 1"; without ASK, all questions.
+bench: .tools/bench/ready .tools/python/ready target/works.wasm
+	cargo build --locked --release --package pforms-benches --bins
 	VIRTUAL_ENV=$(CURDIR)/.tools/bench $(PYTHON)/maturin develop --quiet --locked --release \
 		--manifest-path bindings/python/Cargo.toml
-	$(BENCH)/python benches/run.py
+	$(BENCH)/python benches/run.py $(ASK)
+
+bench-rust:
+	cargo bench --locked --package pforms-benches
+
+target/works.wasm: $(rust_sources) $(shell find benches/native benches/Cargo.toml) tools/wasm-compile.sh
+	folder=$$(tools/wasm-compile.sh --package pforms-benches --example wasm) && cp $$folder/examples/wasm.wasm $@
 
 .tools/book/operators.json: .tools/book/ready $(rust_sources)
 	cargo run --quiet --locked --package pforms -- operators --json > $@

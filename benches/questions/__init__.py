@@ -1,1 +1,1 @@
-"""The questions, one per file. Each offers `question()`."""
+"""The questions, one per file: `VARIANTS`, `SIZES` and `question(variant, size)`."""
