@@ -21,7 +21,7 @@ def description(peers: Iterable[str]) -> dict[str, Any]:
     return {
         "processor": processor(),
         "threads": os.cpu_count(),
-        "system": f"{platform.system()} {platform.machine()}",
+        "system": f"{platform.system()} on {platform.machine()}",
         "python": platform.python_version(),
         "commit": commit(),
         "versions": {peer: version(PACKAGES.get(peer, peer)) for peer in peers},

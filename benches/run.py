@@ -33,6 +33,7 @@ def main() -> int:
     record: dict[str, Any] = {
         "machine": machine.description(sorted(everyone)),
         "limits": {} if options.quick else machine.limits(),
+        "titles": {name: title(name) for name, _ in asked},
         "results": [],
     }
     for name, variant in asked:
@@ -92,6 +93,11 @@ def chosen(asked: list[str]) -> Iterator[tuple[str, str]]:
 
 def about(name: str) -> contest.Questions:
     return cast(contest.Questions, importlib.import_module(f"questions.{name}"))
+
+
+def title(name: str) -> str:
+    """The question in a line."""
+    return (about(name).__doc__ or "").splitlines()[0]
 
 
 def contenders(name: str, variant: str) -> list[str]:

@@ -122,19 +122,71 @@ def aligned(cells: list[list[str]]) -> Iterator[str]:
 
 
 def markdown(record: Record) -> str:
-    """The run as a section of a page."""
-    lines = [f"Measured on {record['machine']['processor']}, {record['machine']['system']}.", ""]
-    lines += ["| limit | " + " | ".join(f"{n} threads" for n in record["limits"]) + " |"]
-    lines += ["|---|" + "---|" * len(record["limits"])]
-    for name in next(iter(record["limits"].values()), {}):
-        numbers = [f"{rates[name] / 1e9:.3g}e9/s" for rates in record["limits"].values()]
-        lines.append(f"| {name.replace('_', ' ')} | " + " | ".join(numbers) + " |")
-    for (question, variant), entries in grouped(record):
-        lines += ["", f"### {question}, {variant}", ""]
-        head, *body = rows(entries, record)
-        lines += ["| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
-        lines += ["| " + " | ".join(row + [""] * (len(head) - len(row))) + " |" for row in body]
+    """The run as sections of a page: a table for each question."""
+    lines = [*machine(record), ""]
+    for question, entries in groupby(record["results"], lambda entry: str(entry["question"])):
+        table = list(entries)
+        unit = next((entry["unit"] for entry in table if "unit" in entry), "item")
+        lines += [f"### {question}", "", record["titles"].get(question, ""), ""]
+        lines += [*cells(matrix(table, record, f"{unit}s per second, or time")), ""]
     return "\n".join(lines)
+
+
+def machine(record: Record) -> Iterator[str]:
+    """What was measured, and the machine's limits."""
+    about, limits = record["machine"], record["limits"]
+    yield f"pforms {about['commit']} on {about['processor']}, {about['threads']} processors, "
+    yield f"{about['system']}, Python {about['python']}."
+    if limits:
+        names = list(next(iter(limits.values())))
+        head = ["at most", *(f"{threads} threads" for threads in limits)]
+        body = [[name.replace("_", " "), *(si(limits[t][name]) for t in limits)] for name in names]
+        yield from ["", *cells([head, *body])]
+
+
+def matrix(entries: list[Entry], record: Record, corner: str) -> list[list[str]]:
+    """Contenders by variants, or variants by contenders when there are many."""
+    variants = list(dict.fromkeys(entry["variant"] for entry in entries))
+    who = list(dict.fromkeys((entry["contender"], entry["threads"]) for entry in entries))
+    places = {(e["variant"], e["contender"], e["threads"]): e for e in entries}
+    names = [name if threads == 1 else f"{name}, {threads} threads" for name, threads in who]
+    rows = [[corner, *variants]]
+    for name, (contender, threads) in zip(names, who, strict=True):
+        found = [places.get((variant, contender, threads)) for variant in variants]
+        if any(entry and entry["status"] != "missing" for entry in found):
+            rows.append([name, *(cell(entry, entries, record) for entry in found)])
+    return rows if len(variants) <= 4 else [list(row) for row in zip(*rows, strict=True)]
+
+
+def cell(entry: Entry | None, entries: list[Entry], record: Record) -> str:
+    """A rate; for peers how many times faster we are, for us the share of the limit."""
+    if entry is None or entry["status"] != "right":
+        return entry["status"] if entry else ""
+    same = [e for e in entries if e["variant"] == entry["variant"]]
+    ours = reference(same, entry["threads"])
+    share = limit(entry, record) if entry["contender"].startswith("pforms") else ""
+    times = f"{per_item(entry) / per_item(ours):.3g} ×" if ours and entry is not ours else ""
+    note = ", ".join(part for part in (times, share) if part)
+    seconds = per_item(entry)
+    speed = duration(seconds) if seconds > 1e-3 else si(1 / seconds)
+    return speed + (f" ({note})" if note else "")
+
+
+def si(number: float) -> str:
+    """A number with the prefix of its size."""
+    for prefix, size in (("G", 1e9), ("M", 1e6), ("k", 1e3)):
+        if number >= size:
+            return f"{number / size:.3g} {prefix}"
+    return f"{number:.3g}"
+
+
+def cells(rows: list[list[str]]) -> Iterator[str]:
+    """A table in Markdown."""
+    head, *body = rows
+    yield "| " + " | ".join(head) + " |"
+    yield "|" + "---|" * len(head)
+    for row in body:
+        yield "| " + " | ".join(row) + " |"
 
 
 def main() -> None:

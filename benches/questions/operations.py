@@ -59,7 +59,7 @@ MATRICES = matrices()
 def ours(operation: str, nets: list[Net]) -> Answer:
     calls: dict[str, Callable[[pf.Form], object]] = {
         "elevate": lambda form: form.elevate((4, 4)),
-        "split": lambda form: [part for half in form.split(0, 0.5) for part in half.split(1, 0.5)],
+        "split": lambda form: list(form.subdivide(1)),
         "stretch": lambda form: form.stretch([WINDOW[0]] * 2, [WINDOW[1]] * 2),
         "diagonal": lambda form: form.diagonal(),
     }

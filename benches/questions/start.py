@@ -57,14 +57,14 @@ SCRIPTS: Mapping[str, tuple[str, str, str]] = {
 }
 
 PROGRAM = """
-from time import perf_counter
-started = perf_counter()
+from time import process_time
+started = process_time()
 {imported}
-loaded = perf_counter()
+loaded = process_time()
 {ready}
-begun = perf_counter()
+begun = process_time()
 point = {point}
-ended = perf_counter()
+ended = process_time()
 print(loaded - started, ended - begun, *point)
 """
 
