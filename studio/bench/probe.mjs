@@ -8,8 +8,13 @@
 /** Runs in the page before anything else. */
 export function watchPage() {
   const clock = () => performance.timeOrigin + performance.now();
-  const records = { pointer: [], asked: [], came: [], applied: [], render: [] };
+  const records = { pointer: [], asked: [], came: [], applied: [], render: [], opened: [] };
   globalThis.bench = records;
+  const opening = new MutationObserver(() => {
+    if (document.querySelector(".studio[data-ready]")) records.opened.push(performance.now());
+    if (records.opened.length > 0) opening.disconnect();
+  });
+  opening.observe(document, { subtree: true, childList: true, attributes: true });
   const span = (list, act) => {
     const from = clock();
     try {
