@@ -1,5 +1,7 @@
+// First: the kernel compiles while the page is put together.
+import { spawn } from "./engine/spawn";
 import "./style/index.css";
-import { EngineClient, type Port } from "./engine/client";
+import { EngineClient } from "./engine/client";
 import { preferredLanguage, setLanguage } from "./i18n";
 import { lastSheet } from "./keep";
 import { figure } from "./panels/gallery";
@@ -11,7 +13,6 @@ const FIRST = "octant";
 async function start(): Promise<void> {
   const kept = localStorage.getItem("pforms.language");
   setLanguage(preferredLanguage(kept ? [kept] : navigator.languages));
-  const spawn = (): Port => new Worker(new URL("./engine/worker.ts", import.meta.url), { type: "module" });
   const studio = new Studio(() => new EngineClient(spawn));
   document.getElementById("studio")?.replaceWith(studio.root);
   const sheet = await lastSheet().catch(() => null);
