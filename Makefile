@@ -24,7 +24,7 @@ rust_sources := $(shell find crates bindings xtask Cargo.toml Cargo.lock .cargo 
 studio_sources := $(shell find studio cases/sheets cases/models -type f \
 	-not -path '*/node_modules/*' -not -path '*/dist/*' -not -path '*/wasm/*' -not -path '*/e2e/*' 2>/dev/null)
 
-.PHONY: help run studio test test-rust test-python test-studio bench bench-rust lint lint-rust lint-arrows \
+.PHONY: help run studio test test-rust test-python test-studio bench bench-rust bench-studio lint lint-rust lint-arrows \
 	lint-python lint-studio format book clean essentials components
 
 help:
@@ -32,7 +32,7 @@ help:
 	@echo "make test    every test of every face                (test-rust, test-python, test-studio)"
 	@echo "make lint    formatting, lints, types, import arrows (lint-rust, lint-python, …)"
 	@echo "make format  what make lint would complain about, put right where a tool can"
-	@echo "make bench   speed, beside other libraries           (bench-rust)"
+	@echo "make bench   speed, beside other libraries           (bench-rust, bench-studio)"
 	@echo "make book    the manual, into book/html"
 	@echo "make clean   removes what was built"
 
@@ -124,6 +124,13 @@ bench: .tools/bench/ready .tools/python/ready target/works.wasm
 	VIRTUAL_ENV=$(CURDIR)/.tools/bench $(PYTHON)/maturin develop --quiet --locked --release \
 		--manifest-path bindings/python/Cargo.toml
 	$(BENCH)/python benches/run.py $(ASK)
+	@if test -x "$(CHROMIUM)"; then $(MAKE) --no-print-directory bench-studio; \
+		else echo "The studio is left out: there is no $(CHROMIUM)."; fi
+
+# One pole of a surface is dragged in the built page: what each stage of a frame costs.
+bench-studio: $(page)
+	@mkdir -p benches/results
+	cd studio && JSON=../benches/results/studio.json npm run --silent bench
 
 bench-rust:
 	cargo bench --locked --package pforms-benches
