@@ -1,6 +1,8 @@
 //! Multiply: products of Bernstein polynomials, in the basis where they are convolutions.
 
-use crate::{Error, Form, Result, Scalar, limit, pascal_row};
+use smallvec::{SmallVec, smallvec};
+
+use crate::{Binomials, Error, Form, Result, Scalar, limit};
 
 /// A polynomial with any number of variables and `width` components in the *scaled* Bernstein
 /// basis: coefficient `i` is the pole times `C(n, i)` along every axis.
@@ -11,28 +13,32 @@ use crate::{Error, Form, Result, Scalar, limit, pascal_row};
 /// Sánchez-Reyes, *Algebraic manipulation in the Bernstein form made simple via convolutions*, 2003).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scaled<S = f64> {
-    degrees: Vec<usize>,
+    degrees: Each,
     width: usize,
-    coefficients: Vec<S>,
+    coefficients: SmallVec<[S; 32]>,
 }
+
+/// One number for each axis.
+type Each = SmallVec<[usize; 4]>;
 
 impl<S: Scalar> Scaled<S> {
     /// The zero polynomial of these degrees, with `width` components.
     ///
     /// Errors: `Limit` above the cap, `Accuracy` where binomials overflow.
     pub fn zero(degrees: &[usize], width: usize) -> Result<Self> {
-        let orders: Vec<usize> = degrees.iter().map(|degree| degree + 1).collect();
+        let orders: Each = degrees.iter().map(|degree| degree + 1).collect();
         let count = limit::check::<S>("the product", &orders, width)?;
         require_degrees::<S>(degrees)?;
-        Ok(Self { degrees: degrees.to_vec(), width, coefficients: vec![S::zero(); count] })
+        let coefficients = smallvec![S::zero(); count];
+        Ok(Self { degrees: degrees.into(), width, coefficients })
     }
 
     /// The homogeneous coordinates of a form, all its `ambient + 1` components.
     pub fn from_form(form: &Form<S>) -> Self {
         let mut scaled = Self {
-            degrees: form.degrees(),
+            degrees: form.orders().iter().map(|order| order - 1).collect(),
             width: form.width(),
-            coefficients: form.homogeneous().to_vec(),
+            coefficients: form.homogeneous().into(),
         };
         scaled.rescale(|pole, binomial| pole * binomial);
         scaled
@@ -50,7 +56,11 @@ impl<S: Scalar> Scaled<S> {
 
     /// A polynomial of degree 0 along each of `axes` axes: one coefficient of several components.
     pub fn constant(axes: usize, components: &[S]) -> Self {
-        Self { degrees: vec![0; axes], width: components.len(), coefficients: components.to_vec() }
+        Self {
+            degrees: smallvec![0; axes],
+            width: components.len(),
+            coefficients: components.into(),
+        }
     }
 
     /// Degree along each axis.
@@ -61,6 +71,11 @@ impl<S: Scalar> Scaled<S> {
     /// Number of components.
     pub fn width(&self) -> usize {
         self.width
+    }
+
+    /// All coefficients, in C order, the components of each side by side.
+    pub fn coefficients(&self) -> &[S] {
+        &self.coefficients
     }
 
     /// Component `k` alone.
@@ -112,7 +127,7 @@ impl<S: Scalar> Scaled<S> {
             ));
         }
         let sums = self.degrees.iter().zip(&factor.degrees);
-        let degrees: Vec<usize> = sums.map(|(a, b)| a + b).collect();
+        let degrees: Each = sums.map(|(a, b)| a + b).collect();
         let mut product = Self::zero(&degrees, self.width)?;
         product.add_product(self, factor);
         Ok(product)
@@ -122,7 +137,7 @@ impl<S: Scalar> Scaled<S> {
     ///
     /// Errors: `Shape` when a degree would fall, `Limit` above the cap.
     pub fn raised_to(&self, degrees: &[usize]) -> Result<Self> {
-        let gaps: Option<Vec<usize>> =
+        let gaps: Option<Each> =
             degrees.iter().zip(&self.degrees).map(|(to, from)| to.checked_sub(*from)).collect();
         match gaps {
             Some(gaps) if gaps.len() == self.degrees.len() => {
@@ -146,7 +161,7 @@ impl<S: Scalar> Scaled<S> {
         let mut degrees = self.degrees.clone();
         degrees[axis] = degree.saturating_sub(1);
         let inner = self.strides()[axis];
-        let mut coefficients = Vec::with_capacity(self.coefficients.len());
+        let mut coefficients = SmallVec::with_capacity(self.coefficients.len());
         for block in self.coefficients.chunks_exact(inner * (degree + 1)) {
             if degree == 0 {
                 coefficients.resize(coefficients.len() + inner, S::zero());
@@ -208,8 +223,8 @@ impl<S: Scalar> Scaled<S> {
         }
         require_degrees::<S>(&self.degrees)?;
         self.rescale(|scaled, binomial| scaled / binomial);
-        let orders: Vec<usize> = self.degrees.iter().map(|degree| degree + 1).collect();
-        Form::from_homogeneous(&orders, self.width - 1, self.coefficients)
+        let orders: Each = self.degrees.iter().map(|degree| degree + 1).collect();
+        Form::from_homogeneous(&orders, self.width - 1, self.coefficients.into_vec())
     }
 
     /// Identifies two axes, `first < second`: the polynomial on the diagonal of their square, on
@@ -219,8 +234,8 @@ impl<S: Scalar> Scaled<S> {
         let mut degrees = self.degrees.clone();
         degrees[first] += degrees.remove(second);
         let count: usize = degrees.iter().map(|degree| degree + 1).product();
-        let mut merged =
-            Self { degrees, width: self.width, coefficients: vec![S::zero(); count * self.width] };
+        let coefficients = smallvec![S::zero(); count * self.width];
+        let mut merged = Self { degrees, width: self.width, coefficients };
         let mut strides = merged.strides();
         strides.insert(second, strides[first]);
         let targets = offsets(&self.degrees, &strides);
@@ -231,9 +246,9 @@ impl<S: Scalar> Scaled<S> {
     }
 
     /// Distance in the array between neighbours along each axis.
-    fn strides(&self) -> Vec<usize> {
+    fn strides(&self) -> Each {
         let mut step = self.width;
-        let mut strides: Vec<usize> = self
+        let mut strides: Each = self
             .degrees
             .iter()
             .rev()
@@ -251,9 +266,9 @@ impl<S: Scalar> Scaled<S> {
     fn rescale(&mut self, change: impl Fn(S, S) -> S) {
         let mut inner = self.width;
         for &degree in self.degrees.iter().rev() {
-            let row = pascal_row::<S>(degree);
+            let row = Binomials::<S>::of(degree);
             for block in self.coefficients.chunks_exact_mut(inner * (degree + 1)) {
-                for (line, binomial) in block.chunks_exact_mut(inner).zip(&row) {
+                for (line, binomial) in block.chunks_exact_mut(inner).zip(row.iter()) {
                     for x in line {
                         *x = change(x.clone(), binomial.clone());
                     }
@@ -269,13 +284,12 @@ fn require_degrees<S: Scalar>(degrees: &[usize]) -> Result<()> {
 }
 
 /// Position of every index `(i₀, i₁, …)`, each up to its degree, in an array of these strides.
-fn offsets(degrees: &[usize], strides: &[usize]) -> Vec<usize> {
-    let mut positions = vec![0];
+fn offsets(degrees: &[usize], strides: &[usize]) -> SmallVec<[usize; 32]> {
+    let mut positions = smallvec![0];
     for (degree, stride) in degrees.iter().zip(strides) {
-        positions = positions
-            .iter()
-            .flat_map(|start| (0..=*degree).map(move |i| start + i * stride))
-            .collect();
+        let known: SmallVec<[usize; 32]> = std::mem::take(&mut positions);
+        let shifted = |start: usize| (0..=*degree).map(move |i| start + i * stride);
+        positions.extend(known.into_iter().flat_map(shifted));
     }
     positions
 }

@@ -1,7 +1,12 @@
 //! What a number must be able to do to be a coordinate.
 
+#![allow(clippy::inline_always, reason = "only what is inlined is compiled for the wider vectors")]
+
 use std::fmt::Debug;
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
+
+use crate::flat::{self, Factored, Tap};
+use crate::lanes::{self, Job};
 
 /// A field with an order and a way to and from `f64`.
 ///
@@ -72,10 +77,30 @@ pub trait Scalar:
     }
 
     /// `target[i] += factor * source[i]`: the inner loop of every move.
+    #[inline(always)]
     fn add_multiple(target: &mut [Self], factor: &Self, source: &[Self]) {
         for (sum, term) in target.iter_mut().zip(source) {
             *sum += factor.clone() * term.clone();
         }
+    }
+
+    /// Does work whose inner loops are over numbers of this kind: `f64` in the widest vectors of
+    /// the machine, others one after another.
+    fn in_lanes<J: Job>(job: J) -> J::Output {
+        job.run::<1>()
+    }
+
+    /// The inner loop of [`Flat::nest`](crate::Flat::nest).
+    #[doc(hidden)]
+    #[inline(always)]
+    fn nest<const N: usize>(
+        array: &mut [Self],
+        before: usize,
+        own: &[Tap<Self>],
+        term: &Factored<'_, Self>,
+        length: usize,
+    ) {
+        flat::nest(array, before, own, term, length);
     }
 }
 
@@ -104,5 +129,20 @@ impl Scalar for f64 {
 
     fn is_finite(&self) -> bool {
         f64::is_finite(*self)
+    }
+
+    fn in_lanes<J: Job>(job: J) -> J::Output {
+        lanes::in_lanes(job)
+    }
+
+    #[inline(always)]
+    fn nest<const N: usize>(
+        array: &mut [Self],
+        before: usize,
+        own: &[Tap<Self>],
+        term: &Factored<'_, Self>,
+        length: usize,
+    ) {
+        flat::nest_in_lanes::<N>(array, before, own, term, length);
     }
 }

@@ -9,7 +9,7 @@ use pforms_operators::{
     Immersed, diagonal, elevate, forecast, immerse, immerse_points, polyline, segment, stack,
     stretch, sub, tile,
 };
-use pforms_testkit::{Random, Weights};
+use pforms_testkit::{Random, Weights, relative_error};
 
 type Exact = Form<Rational>;
 
@@ -232,6 +232,51 @@ fn polynomials_in_polynomials_keep_their_weight_to_the_bit() {
     assert_eq!(result.uniform_weight(), Some(&1.0));
 }
 
+/// Every way through the counter: hosts without axes, with axes of one pole, with a last axis so
+/// long that it is nested; inner points, curves, surfaces, volumes and beyond; wide poles.
+#[test]
+fn in_f64_it_is_what_it_is_in_fractions() {
+    let cases: [(&[usize], &[usize], usize); 14] = [
+        (&[3], &[], 2),
+        (&[2, 2], &[1], 3),
+        (&[], &[3, 2], 3),
+        (&[1, 3], &[2, 3], 1),
+        (&[5], &[7], 3),
+        (&[3], &[1, 4, 1], 4),
+        (&[2], &[3, 30], 2),
+        (&[2, 2], &[2, 16], 3),
+        (&[4, 2], &[3, 3], 5),
+        (&[3, 4], &[4, 2], 7),
+        (&[2, 2, 2], &[3, 3, 3], 3),
+        (&[2, 3, 2], &[2, 3, 2], 2),
+        (&[2, 2, 2, 2], &[2, 3], 3),
+        (&[2, 2], &[2, 2, 2, 2, 2], 3),
+    ];
+    for (seed, (inner, host, ambient)) in cases.into_iter().enumerate() {
+        for weights in [Weights::One, Weights::Positive] {
+            let mut random = Random::new(seed as u64 + 800);
+            let space = host.len().max(1);
+            let inner: Exact = random.inner_form(inner, space, weights);
+            let host: Exact = random.form(host, ambient, weights);
+            let rough = |form: &Exact| form.map_scalar(Scalar::to_f64).unwrap();
+            let (inner, host) = (rough(&inner), rough(&host));
+            let computed = immerse(&inner, &host);
+            let expected = immerse(&inner.exact().unwrap(), &host.exact().unwrap());
+            let (Ok(computed), Ok(expected)) = (computed, expected) else {
+                assert!(host.axes() == 0, "only a host without axes can refuse coordinates");
+                continue;
+            };
+            let error = relative_error(&computed, &expected).unwrap();
+            assert!(error < 1e-14, "{} in {}: {error:e}", inner.kind(), host.kind());
+            for t in unisolvent(&vec![2; inner.axes()]) {
+                let exact = (&inner.exact().unwrap(), &host.exact().unwrap());
+                let point = composed_at(exact.0, exact.1, &t);
+                assert_eq!(point, Some(expected.homogeneous_at(&t).unwrap()));
+            }
+        }
+    }
+}
+
 #[test]
 fn tiles_meet_at_their_faces() {
     let mut random = Random::new(11);
@@ -286,7 +331,7 @@ fn what_does_not_fit_is_refused_with_the_sizes() {
     let net = random.rough_form(&[40, 40], 3, Weights::One);
     let error = immerse(&line, &net).unwrap_err();
     assert_eq!(error.family(), "Accuracy");
-    assert!(error.to_string().contains("received 1"), "{error}");
+    assert!(error.to_string().contains("received 2418"), "{error}");
 
     let large = random.rough_form(&[40, 40, 40], 3, Weights::One);
     let huge = random.rough_form(&[60, 60, 60], 3, Weights::One);

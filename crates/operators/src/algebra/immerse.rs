@@ -6,7 +6,10 @@
 //! `(Σ_j n_j)·(q_k − 1) + 1` (book 2236; `DeRose`, Goldman, Hagen, Mann, *Functional composition via
 //! blossoming*, 1993).
 
-use pforms_kernel::{Error, Form, Result, Scalar, Scaled, limit};
+use pforms_kernel::{Error, Form, Result, Scalar, limit};
+
+use super::immersion_shape::orders;
+use super::nested::compose;
 
 /// What an immersion would cost, known before any work.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -51,28 +54,14 @@ pub fn forecast<S>(inner_orders: &[usize], host_orders: &[usize], ambient: usize
 /// ```
 pub fn immerse<S: Scalar>(inner: &Form<S>, host: &Form<S>) -> Result<Form<S>> {
     require_fit(inner, host)?;
-    let plan = forecast::<S>(inner.orders(), host.orders(), host.ambient());
-    limit::check::<S>("the immersed form", &plan.orders, host.width())?;
-    let bases = host_bases(inner, host)?;
-    let polynomial = constant_weight(inner, host);
-    let components = host.width() - usize::from(polynomial.is_some());
-    let poles = host.homogeneous().chunks_exact(host.width());
-    let mut level: Vec<Scaled<S>> =
-        poles.map(|pole| Scaled::constant(inner.axes(), &pole[..components])).collect();
-    for basis in bases.iter().rev() {
-        level = contract(&level, basis)?;
+    let degree: usize = host.orders().iter().map(|order| order - 1).sum();
+    let orders = orders(inner.orders(), degree);
+    limit::check::<S>("the immersed form", &orders, host.width())?;
+    for order in &orders {
+        limit::check_degree::<S>(order - 1)?;
     }
-    let Some(result) = level.pop() else {
-        return Err(Error::shape("host", "no poles", "a form"));
-    };
-    match polynomial {
-        None => result.into_form(),
-        Some(weight) => {
-            let ones = Scaled::one(result.degrees())?;
-            let form = result.beside(&ones).into_form()?;
-            Ok(form.with_uniform_weight(&weight))
-        }
-    }
+    let poles = compose(inner, host, &orders, constant_weight(inner, host).as_ref());
+    Form::from_homogeneous(&orders, host.ambient(), poles)
 }
 
 /// Pointwise immersion: the images under any map of the euclidean poles of a form, as a form.
@@ -127,62 +116,7 @@ pub(super) fn require_fit<S: Scalar>(inner: &Form<S>, host: &Form<S>) -> Result<
 /// The weight `w·v^degree` of the result when the host has the constant weight `w` and the inner
 /// form `v`: polynomial in polynomial is polynomial, to the bit.
 fn constant_weight<S: Scalar>(inner: &Form<S>, host: &Form<S>) -> Option<S> {
-    let degree = host.degrees().iter().sum();
+    let degree = host.orders().iter().map(|order| order - 1).sum();
     let factor = inner.uniform_weight()?.power(degree);
     Some(host.uniform_weight()?.clone() * factor)
-}
-
-/// For each host axis, the polynomials `C(n, i)·X^i·(W − X)^{n−i}`, `i = 0 … n`.
-fn host_bases<S: Scalar>(inner: &Form<S>, host: &Form<S>) -> Result<Vec<Vec<Scaled<S>>>> {
-    let all = Scaled::from_form(inner);
-    let weight = all.component(inner.ambient());
-    (0..host.axes())
-        .map(|axis| {
-            let degree = host.orders()[axis] - 1;
-            let x = all.component(axis);
-            let rest = weight.clone().minus(&x);
-            bernstein_basis(degree, &powers(&rest, degree)?, &powers(&x, degree)?)
-        })
-        .collect()
-}
-
-/// `1, x, x², …, x^last`.
-fn powers<S: Scalar>(x: &Scaled<S>, last: usize) -> Result<Vec<Scaled<S>>> {
-    let mut list = vec![Scaled::constant(x.degrees().len(), &[S::one()])];
-    for k in 0..last {
-        list.push(list[k].times(x)?);
-    }
-    Ok(list)
-}
-
-fn bernstein_basis<S: Scalar>(
-    degree: usize,
-    falling: &[Scaled<S>],
-    rising: &[Scaled<S>],
-) -> Result<Vec<Scaled<S>>> {
-    let row = pforms_kernel::pascal_row::<S>(degree);
-    (0..=degree)
-        .map(|i| {
-            let product = rising[i].times(&falling[degree - i])?;
-            let mut scaled = Scaled::zero(product.degrees(), 1)?;
-            scaled.add_multiple(&row[i], &product);
-            Ok(scaled)
-        })
-        .collect()
-}
-
-/// Contracts the last host axis: groups of `basis.len()` poles become one polynomial each.
-fn contract<S: Scalar>(level: &[Scaled<S>], basis: &[Scaled<S>]) -> Result<Vec<Scaled<S>>> {
-    level
-        .chunks_exact(basis.len())
-        .map(|group| {
-            let sums = group[0].degrees().iter().zip(basis[0].degrees());
-            let degrees: Vec<usize> = sums.map(|(a, b)| a + b).collect();
-            let mut sum = Scaled::zero(&degrees, group[0].width())?;
-            for (pole, polynomial) in group.iter().zip(basis) {
-                sum.add_product(pole, polynomial);
-            }
-            Ok(sum)
-        })
-        .collect()
 }
