@@ -146,7 +146,7 @@ describe("a drawn cell", () => {
     color: RED,
     opacity: 1,
     meshes,
-    points: balls.length > 0 ? [{ positions: new Float32Array(balls), radius: 0.1 }] : [],
+    points: balls.length > 0 ? [{ positions: new Float32Array(balls), radius: 0.125 }] : [],
   });
   const parts = (picture: Picture): Mesh[] => picture.group.children as Mesh[];
 
@@ -164,7 +164,11 @@ describe("a drawn cell", () => {
     expect(after.flat().every((thing, at) => thing === before.flat()[at])).toBe(true);
     expect(versions().map((version, at) => version - first[at]!)).toEqual([10, 10, 0, 10]);
     expect(picture.group.children).toHaveLength(2);
-    expect(new Box3().expandByObject(flat).max.toArray()).toEqual([1, 1, 10]);
+    expect(new Box3().expandByObject(picture.measured()).max.toArray()).toEqual([10.125, 2.125, 10]);
+    expect(flat.geometry.boundingSphere!.center.z).toBe(10);
+    picture.update(drawing([mesh(20)], [1, 2, 3]));
+    expect(new Box3().expandByObject(picture.measured()).max.toArray()).toEqual([1.125, 2.125, 20]);
+    picture.update(drawing([mesh(10)], [10, 2, 3]));
     expect(Array.from(balls.instanceMatrix.array.slice(12, 15))).toEqual([10, 2, 3]);
   });
 

@@ -28,6 +28,8 @@ export class Picture {
   private readonly material = makeMaterial();
   private meshes: Mesh[] = [];
   private balls: InstancedMesh[] = [];
+  /** Were the objects written over since someone asked how large they are? */
+  private stale = false;
 
   constructor(drawing: Drawing) {
     this.group.userData["address"] = drawing.address;
@@ -36,6 +38,7 @@ export class Picture {
 
   /** Shows the cell as it is now. */
   update(drawing: Drawing): void {
+    this.stale = true;
     this.paint(drawing);
     this.meshes = fit(this.meshes, drawing.meshes, rewriteMesh, (part) => makeMesh(part, this.material), disposeMesh);
     this.balls = fit(this.balls, drawing.points, rewriteBalls, (part) => makeBalls(part, this.material), disposeBalls);
@@ -44,6 +47,22 @@ export class Picture {
       this.group.clear();
       this.group.add(...parts);
     }
+  }
+
+  /**
+   * The group, ready to be measured and hit: boxes and spheres round the parts are right again.
+   *
+   * They cost a pass over all vertices. To draw, old ones do: they only tell in which order.
+   */
+  measured(): Group {
+    if (this.stale) {
+      for (const { geometry } of this.meshes) geometry.computeBoundingBox();
+      for (const { geometry } of this.meshes) geometry.computeBoundingSphere();
+      for (const balls of this.balls) balls.computeBoundingBox();
+      for (const balls of this.balls) balls.computeBoundingSphere();
+    }
+    this.stale = false;
+    return this.group;
   }
 
   /** Frees what the picture holds on the graphics card. */
@@ -104,7 +123,7 @@ function makeMesh(part: MeshBuffers, material: MeshStandardMaterial): Mesh {
   if (part.normals.length === part.positions.length) geometry.setAttribute("normal", changing(part.normals, 3));
   geometry.setIndex(changing(part.indices, 1));
   const mesh = new Mesh(geometry, material);
-  // The sphere that tells whether it is seen would cost a pass over all vertices in every frame.
+  // Whether it is seen is told by its sphere, and that is not kept up to date: see `Picture.measured`.
   mesh.frustumCulled = false;
   return mesh;
 }
@@ -122,8 +141,6 @@ function rewriteMesh({ geometry }: Mesh, part: MeshBuffers): boolean {
   write(position, part.positions);
   if (normal) write(normal, part.normals);
   write(index, part.indices);
-  // Computed when someone asks: to fit the view, or to find what was clicked.
-  geometry.boundingBox = geometry.boundingSphere = null;
   return true;
 }
 
@@ -161,7 +178,6 @@ function rewriteBalls(balls: InstancedMesh, { positions, radius }: BallBuffers):
     array[at + 15] = 1;
   }
   balls.instanceMatrix.needsUpdate = true;
-  balls.boundingBox = balls.boundingSphere = null;
   return true;
 }
 

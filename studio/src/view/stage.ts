@@ -106,7 +106,7 @@ export class Stage {
   bounds(): Box3 {
     this.world.updateMatrixWorld();
     const box = new Box3();
-    for (const { group } of this.pictures.values()) box.expandByObject(group);
+    for (const picture of this.pictures.values()) box.expandByObject(picture.measured());
     return box;
   }
 
@@ -114,7 +114,7 @@ export class Stage {
   hit(at: Vector2): string | null {
     const ray = new Raycaster();
     ray.setFromCamera(at, this.cameras.active);
-    const first = ray.intersectObjects([...this.pictures.values()].map(({ group }) => group), true)[0];
+    const first = ray.intersectObjects([...this.pictures.values()].map((picture) => picture.measured()), true)[0];
     const address: unknown = first?.object.parent?.userData["address"];
     return typeof address === "string" ? address : null;
   }
