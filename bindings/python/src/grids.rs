@@ -24,7 +24,7 @@ impl PyForm {
     /// *parameters : int or array_like
     ///     For each axis a count, for so many equal steps from 0 to 1, or a list of parameters.
     /// normals : bool, optional
-    ///     Return ``points, normals``: in one pass, which is quicker than two.
+    ///     Return ``points, normals``, both of one call.
     /// out : ndarray, or two of them with normals, optional
     ///     C-contiguous float64 arrays of the result's shape.
     ///
@@ -72,7 +72,7 @@ impl PyForm {
 /// *parameters : int or array_like
 ///     For each axis a count, for so many equal steps from 0 to 1, or a list of parameters.
 /// normals : bool, optional
-///     Return ``points, normals``: in one pass, which is quicker than two.
+///     Return ``points, normals``, both of one call.
 /// out : ndarray, or two of them with normals, optional
 ///     C-contiguous float64 arrays of the result's shape.
 ///

@@ -1,6 +1,7 @@
 //! The class `Immersed`: host and inner side by side, until someone asks for poles.
 
 use numpy::PyArrayDyn;
+use pforms_kernel::threads::fill_parts;
 use pforms_kernel::{Form, Kind};
 use pforms_operators::{self as operators, Forecast, Immersed};
 use pyo3::IntoPyObjectExt;
@@ -11,7 +12,9 @@ use crate::arguments::{form, truth, whole};
 use crate::errors::raised;
 use crate::evaluation::{derivative_orders, points};
 use crate::form::PyForm;
-use crate::operators::immersed;
+use crate::forms::Forms;
+use crate::operators::{immersed, immersion_work};
+use crate::slices::{in_slices, require_feasible};
 
 /// An immersed form without its poles: ``pf.immerse(inner, host, lazy=True)``.
 ///
@@ -43,14 +46,14 @@ impl From<Immersed> for PyImmersed {
 ///
 /// Parameters
 /// ----------
-/// inner : Form
+/// inner : Form or sequence of Form
 /// host : Form
 /// lazy : bool, optional
 ///     Keep host and inner side by side: no poles until :meth:`Immersed.expand`.
 ///
 /// Returns
 /// -------
-/// Form, or Immersed if lazy
+/// Form, or Immersed if lazy; a list of them for a sequence
 ///
 /// Raises
 /// ------
@@ -62,8 +65,11 @@ impl From<Immersed> for PyImmersed {
 /// Examples
 /// --------
 /// >>> host = pf.Form([[(0, 0, 0), (0, 1, 1)], [(1, 0, 1), (1, 1, 0)]])
-/// >>> pf.immerse(pf.Form([(0, 0), (1, 1)]), host) == host.diagonal()
+/// >>> diagonal = pf.Form([(0, 0), (1, 1)])
+/// >>> pf.immerse(diagonal, host) == host.diagonal()
 /// True
+/// >>> pf.immerse([diagonal, diagonal], host)
+/// [<pforms.Form pL3 in 3D>, <pforms.Form pL3 in 3D>]
 #[pyfunction]
 #[pyo3(signature = (inner, host, lazy=None), text_signature = "(inner, host, lazy=False)")]
 pub(crate) fn immerse<'py>(
@@ -71,13 +77,43 @@ pub(crate) fn immerse<'py>(
     host: &Bound<'py, PyAny>,
     lazy: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Bound<'py, PyAny>> {
-    let py = inner.py();
-    let (inner, host) = (form("inner", inner)?, form("host", host)?);
-    if !lazy.map_or(Ok(false), |lazy| truth("lazy", lazy))? {
-        return immersed(py, &inner, &host)?.into_bound_py_any(py);
+    let (py, host) = (inner.py(), form("host", host)?);
+    let lazy = lazy.map_or(Ok(false), |lazy| truth("lazy", lazy))?;
+    let Ok(one) = inner.cast::<PyForm>() else {
+        let list = Forms::read("inner", inner)?;
+        return if lazy {
+            let kept = list.cloned().into_iter().map(|inner| kept(inner, host.clone()));
+            kept.collect::<PyResult<Vec<_>>>()?.into_bound_py_any(py)
+        } else {
+            all_immersed(py, &list.refs(), &host)?.into_bound_py_any(py)
+        };
+    };
+    let inner = &one.get().form;
+    if lazy {
+        return kept(inner.clone(), host)?.into_bound_py_any(py);
     }
-    let lazy = Immersed::new(inner, host).map_err(|error| raised(&error))?;
-    PyImmersed::from(lazy).into_bound_py_any(py)
+    immersed(py, inner, &host)?.into_bound_py_any(py)
+}
+
+fn kept(inner: Form, host: Form) -> PyResult<PyImmersed> {
+    Immersed::new(inner, host).map(PyImmersed::from).map_err(|error| raised(&error))
+}
+
+/// `host ∘ inner` for each inner form, in slices and on all threads.
+fn all_immersed(py: Python<'_>, inners: &[&Form], host: &Form) -> PyResult<Vec<PyForm>> {
+    let work = inners.iter().map(|inner| immersion_work(inner, host)).fold(0.0, f64::max);
+    require_feasible("each immersion", work)?;
+    let cost = work as usize;
+    let mut forms = vec![None; inners.len()];
+    in_slices(py, inners.len(), cost, |range| {
+        fill_parts(&mut forms[range.clone()], 1, 2 * cost, |part, forms| {
+            for (form, inner) in forms.iter_mut().zip(&inners[range.clone()][part]) {
+                *form = Some(operators::immerse(inner, host)?);
+            }
+            Ok(())
+        })
+    })?;
+    Ok(forms.into_iter().flatten().map(PyForm::from).collect())
 }
 
 /// What an immersion would cost: a dict of ``orders``, ``poles`` and ``bytes``. Nothing is made.
@@ -137,8 +173,7 @@ impl PyImmersed {
     #[new]
     #[pyo3(signature = (inner, host))]
     fn new(inner: &Bound<'_, PyAny>, host: &Bound<'_, PyAny>) -> PyResult<Self> {
-        let (inner, host): (Form, Form) = (form("inner", inner)?, form("host", host)?);
-        Immersed::new(inner, host).map(Self::from).map_err(|error| raised(&error))
+        kept(form("inner", inner)?, form("host", host)?)
     }
 
     /// The form in whose parameters the inner one lives.

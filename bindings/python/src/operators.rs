@@ -374,10 +374,9 @@ fn check_derivative(form: &Form, orders: &[usize]) -> PyResult<()> {
 ///
 /// Errors: `LimitError` when that would take too long.
 pub(crate) fn immersed(py: Python<'_>, inner: &Form, host: &Form) -> PyResult<PyForm> {
-    require_feasible("the immersion", immersion_work(inner, host))?;
-    let plan = operators::forecast::<f64>(inner.orders(), host.orders(), host.ambient());
-    let cost = usize::try_from(plan.poles).unwrap_or(usize::MAX).saturating_mul(host.width());
-    done(py, cost, || operators::immerse(inner, host)).map(PyForm::from)
+    let work = immersion_work(inner, host);
+    require_feasible("the immersion", work)?;
+    done(py, work as usize, || operators::immerse(inner, host)).map(PyForm::from)
 }
 
 /// About how many multiplications an immersion takes: the axes of the host are contracted one by

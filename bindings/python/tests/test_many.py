@@ -36,6 +36,7 @@ def test_many_forms_come_from_one_array(rng):
             lambda f: f.stretch((0.2, 0.1), (0.7, -2)),
         ),
         (lambda f: f.split(1, 0.3)[1], lambda f: f.split(0, 0.3)[1]),
+        (lambda f: f.diagonal((1, 2)), lambda f: f.diagonal((0, 1))),
         (lambda f: f.sub(2, 0.25), lambda f: f.sub(1, 0.25)),
         (lambda f: f.reverse(1), lambda f: f.reverse(0)),
     ],
@@ -217,3 +218,18 @@ def test_only_surfaces_in_space_have_normals(make):
             form.grid(*counts, normals=True)
     with pytest.raises(pf.ArgumentError, match="normals: received an int"):
         make(3, 3).grid(2, 2, normals=7)
+
+
+def test_a_list_is_immersed_in_one_call(make, rng):
+    host = make(3, 4)
+    inners = [pf.Form(rng.uniform(0, 1, (n, 2))) for n in (2, 4, 4)]
+    inners.append(pf.Form(rng.uniform(0, 1, (2, 3, 2)), rng.uniform(0.5, 2, (2, 3))))
+    expected = [pf.immerse(inner, host) for inner in inners]
+    assert pf.immerse(inners, host) == pf.immerse(iter(inners), host) == expected
+    assert pf.immerse([], host) == []
+    assert [lazy.expand() for lazy in pf.immerse(inners, host, lazy=True)] == expected
+    assert pf.immerse(inners * 500, host) == expected * 500
+    with pytest.raises(pf.ShapeError, match="^inner: received"):
+        pf.immerse([*inners, make(2, ambient=3)], host)
+    with pytest.raises(pf.ArgumentError, match=r"inner: received an int, expected a pforms\.Form"):
+        pf.immerse([*inners, 1], host)

@@ -17,6 +17,7 @@
 //! # Ok::<(), pforms_kernel::Error>(())
 //! ```
 
+mod act;
 mod basis;
 mod bulk;
 mod bulk_derivative;

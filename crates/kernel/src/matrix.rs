@@ -1,5 +1,6 @@
 //! Act along one axis: the move behind subdivision, elevation, stretching, interpolation, splines.
 
+use crate::act::Steps;
 use crate::{Error, Form, Result, Scalar, limit};
 
 /// A dense matrix, row after row.
@@ -47,23 +48,6 @@ impl<S: Scalar> Matrix<S> {
     pub fn row(&self, index: usize) -> &[S] {
         &self.entries[index * self.columns..][..self.columns]
     }
-
-    /// `out[a, r, k] = Σ_j M[r, j] · input[a, j, k]` for an array of shape `(·, columns, inner)`.
-    pub fn act(&self, input: &[S], inner: usize, out: &mut Vec<S>) {
-        out.clear();
-        let block = self.columns * inner;
-        for part in input.chunks_exact(block) {
-            for row in self.entries.chunks_exact(self.columns) {
-                let start = out.len();
-                out.resize(start + inner, S::zero());
-                for (entry, line) in row.iter().zip(part.chunks_exact(inner)) {
-                    if !entry.is_zero() {
-                        S::add_multiple(&mut out[start..], entry, line);
-                    }
-                }
-            }
-        }
-    }
 }
 
 impl<S: Scalar> Form<S> {
@@ -73,31 +57,60 @@ impl<S: Scalar> Form<S> {
     ///
     /// Errors: `Shape` when there is no such axis or the columns are not its order; `Limit`.
     pub fn along(&self, axis: usize, matrix: &Matrix<S>) -> Result<Self> {
-        self.require_axis(axis)?;
-        if matrix.columns() != self.orders()[axis] {
-            return Err(Error::shape(
-                "matrix",
-                format!("{} columns", matrix.columns()),
-                format!("{}, the order of axis {axis}", self.orders()[axis]),
-            ));
-        }
-        let mut orders = self.orders().to_vec();
-        orders[axis] = matrix.rows();
-        let mut out = Vec::with_capacity(limit::check::<S>("the result", &orders, self.width())?);
-        let inner = self.orders()[axis + 1..].iter().product::<usize>() * self.width();
-        matrix.act(self.homogeneous(), inner, &mut out);
-        self.derived(&orders, out)
+        let (orders, poles) = self.acted_on(&[(axis, matrix)])?;
+        self.derived(&orders, poles)
     }
 
     /// [`Form::along`] for a matrix whose rows sum to 1: a polynomial form stays polynomial exactly.
     ///
     /// Errors: as [`Form::along`].
     pub fn along_affine(&self, axis: usize, matrix: &Matrix<S>) -> Result<Self> {
-        let result = self.along(axis, matrix)?;
-        Ok(match self.uniform_weight() {
-            Some(weight) => result.with_uniform_weight(weight),
-            None => result,
-        })
+        self.along_all_affine(&[(axis, matrix)])
+    }
+
+    /// [`Form::along_affine`] along several axes in ascending order, in one pass over the array.
+    ///
+    /// Errors: as [`Form::along`]; `Shape` unless the axes ascend.
+    pub fn along_all_affine(&self, acts: &[(usize, &Matrix<S>)]) -> Result<Self> {
+        if acts.is_empty() {
+            return Ok(self.clone());
+        }
+        let (orders, mut poles) = self.acted_on(acts)?;
+        if let Some(weight) = self.uniform_weight() {
+            for pole in poles.chunks_exact_mut(self.width()) {
+                pole[self.ambient()] = weight.clone();
+            }
+        }
+        self.derived(&orders, poles)
+    }
+
+    /// Orders and poles after matrices have acted along axes in ascending order.
+    fn acted_on(&self, acts: &[(usize, &Matrix<S>)]) -> Result<(Vec<usize>, Vec<S>)> {
+        let mut orders = self.orders().to_vec();
+        let first = acts.first().map_or(0, |(axis, _)| *axis);
+        for (k, &(axis, matrix)) in acts.iter().enumerate() {
+            self.require_axis(axis)?;
+            if acts[..k].iter().any(|(before, _)| *before >= axis) {
+                return Err(Error::shape("axes", axis, "axes in ascending order"));
+            }
+            if matrix.columns() != self.orders()[axis] {
+                return Err(Error::shape(
+                    "matrix",
+                    format!("{} columns", matrix.columns()),
+                    format!("{}, the order of axis {axis}", self.orders()[axis]),
+                ));
+            }
+            orders[axis] = matrix.rows();
+        }
+        let inner = |axis: usize| self.orders()[axis..].iter().product::<usize>() * self.width();
+        let mut steps = Steps::new(inner(first));
+        for &(axis, matrix) in acts {
+            steps.push(matrix, inner(axis + 1));
+        }
+        let count = limit::check::<S>("the result", &orders, self.width())?;
+        let mut poles = vec![S::zero(); count];
+        steps.run(self.homogeneous(), &mut poles)?;
+        Ok((orders, poles))
     }
 
     /// The form without `axis`: its poles contracted with one row of coefficients.

@@ -5,6 +5,8 @@
 
 use pforms_kernel::{Error, Form, Matrix, Result, Scalar, limit, pascal_row};
 
+use super::along::act_along;
+
 /// The form with `by[k]` more poles along each axis `k`. Exact; the shape does not change.
 ///
 /// In `f64` every new pole is a mean of old ones with positive weights, within 8 roundings for
@@ -24,14 +26,13 @@ pub fn elevate<S: Scalar>(form: &Form<S>, by: &[usize]) -> Result<Form<S>> {
     let orders: Vec<usize> =
         form.orders().iter().zip(by).map(|(order, more)| order.saturating_add(*more)).collect();
     limit::check::<S>("the elevated form", &orders, form.width())?;
-    let mut raised = form.clone();
-    for (axis, &more) in by.iter().enumerate() {
-        if more > 0 {
-            let degree = form.orders()[axis] - 1;
-            raised = raised.along_affine(axis, &elevation_matrix(degree, more)?)?;
-        }
-    }
-    Ok(raised)
+    let axes = (0..form.axes()).filter(|&axis| by[axis] > 0);
+    act_along(
+        form,
+        axes,
+        |axis| (form.orders()[axis] - 1, by[axis]),
+        |&(degree, more)| elevation_matrix(degree, more),
+    )
 }
 
 /// The matrix that raises a degree by `by`: `degree + by + 1` rows, `degree + 1` columns.

@@ -1,5 +1,6 @@
 //! Exact operators: generic over the scalar, linear or multilinear in the poles, no tolerance.
 
+mod along;
 mod blossom;
 mod combine;
 mod derivative;

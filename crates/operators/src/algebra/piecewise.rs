@@ -67,14 +67,22 @@ impl<S: Scalar> Piecewise<S> {
             ));
         }
         let orders: Vec<usize> = self.degrees.iter().map(|degree| degree + 1).collect();
-        let mut poles = Vec::new();
-        for local in indices(&orders) {
-            let global: Vec<usize> = (0..local.len())
-                .map(|axis| index[axis] * self.degrees[axis] + local[axis])
-                .collect();
-            poles.extend_from_slice(self.net.pole(&global)?);
-        }
+        let mut poles = Vec::with_capacity(orders.iter().product::<usize>() * self.net.width());
+        self.copy_piece(index, self.net.orders(), self.net.homogeneous(), &mut poles);
         Form::from_homogeneous(&orders, self.net.ambient(), poles)
+    }
+
+    /// Copies what belongs to a piece from a part of the net, whose first axes are gone.
+    fn copy_piece(&self, index: &[usize], orders: &[usize], part: &[S], poles: &mut Vec<S>) {
+        let gone = self.degrees.len() - orders.len();
+        let alone = (gone..self.degrees.len()).all(|axis| self.breaks[axis].len() == 2);
+        if alone {
+            return poles.extend_from_slice(part);
+        }
+        let (degree, share) = (self.degrees[gone], part.len() / orders[0]);
+        for line in part.chunks_exact(share).skip(index[gone] * degree).take(degree + 1) {
+            self.copy_piece(index, &orders[1..], line, poles);
+        }
     }
 
     /// All pieces, the last axis fastest.

@@ -2,6 +2,8 @@
 
 use pforms_kernel::{Error, Form, Matrix, Result, Scalar, blossom_row};
 
+use super::along::act_along;
+
 /// The form on the window `[a, b]`: restricted, extended or reversed along each axis.
 ///
 /// Any reals: `a > b` reverses, values outside `[0, 1]` extrapolate, `a = b` collapses the axis to
@@ -24,15 +26,9 @@ pub fn stretch<S: Scalar>(form: &Form<S>, a: &[S], b: &[S]) -> Result<Form<S>> {
     form.require_per_axis("b", b)?;
     require_finite("a", a)?;
     require_finite("b", b)?;
-    let mut result = form.clone();
-    for (axis, (from, to)) in a.iter().zip(b).enumerate() {
-        if from.is_zero() && *to == S::one() {
-            continue;
-        }
-        let matrix = stretch_matrix(form.orders()[axis] - 1, from, to);
-        result = result.along_affine(axis, &matrix)?;
-    }
-    Ok(result)
+    let axes = (0..form.axes()).filter(|&axis| !(a[axis].is_zero() && b[axis] == S::one()));
+    let window = |axis: usize| (form.orders()[axis] - 1, a[axis].clone(), b[axis].clone());
+    act_along(form, axes, window, |(degree, from, to)| Ok(stretch_matrix(*degree, from, to)))
 }
 
 /// The two parts of a form at parameter `t` of `axis`: the windows `[0, t]` and `[t, 1]`.
@@ -51,14 +47,15 @@ pub fn split<S: Scalar>(form: &Form<S>, axis: usize, t: &S) -> Result<(Form<S>, 
 
 /// The square matrix that takes the poles of a degree to those on the window `[a, b]`.
 pub fn stretch_matrix<S: Scalar>(degree: usize, a: &S, b: &S) -> Matrix<S> {
-    let rows: Vec<Vec<S>> = (0..=degree)
-        .map(|i| {
-            let mut arguments = vec![a.clone(); degree - i];
-            arguments.resize(degree, b.clone());
-            blossom_row(&arguments)
-        })
-        .collect();
-    Matrix::from_rule(degree + 1, degree + 1, |i, j| rows[i][j].clone())
+    let mut entries = Vec::with_capacity((degree + 1) * (degree + 1));
+    let mut arguments = vec![a.clone(); degree];
+    for i in 0..=degree {
+        if i > 0 {
+            arguments[degree - i] = b.clone();
+        }
+        entries.extend(blossom_row(&arguments));
+    }
+    Matrix::from_rule(degree + 1, degree + 1, |i, j| entries[i * (degree + 1) + j].clone())
 }
 
 fn require_finite<S: Scalar>(argument: &str, values: &[S]) -> Result<()> {

@@ -2,6 +2,7 @@
 
 use pforms_kernel::{Form, Matrix, Result, Scalar, limit};
 
+use super::along::act_along;
 use super::partition::parts;
 use super::{Piecewise, partition};
 
@@ -27,15 +28,15 @@ pub fn subdivide<S: Scalar>(form: &Form<S>, r: &[u32]) -> Result<Piecewise<S>> {
         orders.push(degree.saturating_mul(parts("r", levels)?).saturating_add(1));
     }
     limit::check::<S>("the refined net", &orders, form.width())?;
-    let mut net = form.clone();
-    let mut breaks = Vec::with_capacity(r.len());
-    for (axis, &levels) in r.iter().enumerate() {
-        if levels > 0 {
-            net = net.along_affine(axis, &subdivision_matrix(degrees[axis], levels)?)?;
-        }
-        breaks.push(partition(&S::zero(), &S::one(), levels)?);
-    }
-    Piecewise::new(net, degrees, breaks)
+    let axes = (0..form.axes()).filter(|&axis| r[axis] > 0);
+    let net = act_along(
+        form,
+        axes,
+        |axis| (degrees[axis], r[axis]),
+        |&(degree, levels)| subdivision_matrix(degree, levels),
+    )?;
+    let breaks = r.iter().map(|&levels| partition(&S::zero(), &S::one(), levels));
+    Piecewise::new(net, degrees, breaks.collect::<Result<_>>()?)
 }
 
 /// The matrix of subdivision at level `r`: `degree·2^r + 1` rows, `degree + 1` columns.
@@ -46,42 +47,43 @@ pub fn subdivide<S: Scalar>(form: &Form<S>, r: &[u32]) -> Result<Piecewise<S>> {
 pub fn subdivision_matrix<S: Scalar>(degree: usize, r: u32) -> Result<Matrix<S>> {
     let rows = degree.saturating_mul(parts("r", r)?).saturating_add(1);
     limit::check::<S>("the subdivision matrix", &[rows, degree + 1], 1)?;
-    let mut pieces = vec![identity::<S>(degree + 1)];
+    let mut net: Vec<S> = identity(degree + 1);
     for _ in 0..r {
-        pieces = pieces.into_iter().flat_map(halves).collect();
+        net = halved(&net, degree);
     }
-    let mut net = Vec::with_capacity(rows);
-    for piece in pieces {
-        net.pop();
-        net.extend(piece);
-    }
-    net.truncate(rows);
-    Matrix::from_rows(net)
+    Ok(Matrix::from_rule(rows, degree + 1, |i, j| net[i * (degree + 1) + j].clone()))
 }
 
-type Rows<S> = Vec<Vec<S>>;
-
-fn identity<S: Scalar>(size: usize) -> Rows<S> {
-    let entry = |i, j| if i == j { S::one() } else { S::zero() };
-    (0..size).map(|i| (0..size).map(|j| entry(i, j)).collect()).collect()
+fn identity<S: Scalar>(size: usize) -> Vec<S> {
+    let entry = |k| if k / size == k % size { S::one() } else { S::zero() };
+    (0..size * size).map(entry).collect()
 }
 
-/// The triangle of de Casteljau at ½: its two sides are the poles of the halves.
-fn halves<S: Scalar>(poles: Rows<S>) -> [Rows<S>; 2] {
-    let mut left = Vec::with_capacity(poles.len());
-    let mut right = Vec::with_capacity(poles.len());
-    let mut level = poles;
-    while let (Some(first), Some(last)) = (level.first(), level.last()) {
-        left.push(first.clone());
-        right.push(last.clone());
-        level = level.windows(2).map(|pair| middle(&pair[0], &pair[1])).collect();
+/// The rows of the halves of pieces that share their end rows.
+fn halved<S: Scalar>(net: &[S], degree: usize) -> Vec<S> {
+    let size = degree + 1;
+    let mut halves = Vec::with_capacity(2 * net.len());
+    // A constant has a single pole, which no two pieces share.
+    for start in (0..(net.len() / size).saturating_sub(1).max(1)).step_by(degree.max(1)) {
+        halves.truncate(halves.len().saturating_sub(size));
+        push_halves(net[start * size..][..size * size].to_vec(), size, &mut halves);
     }
-    right.reverse();
-    [left, right]
+    halves
 }
 
-fn middle<S: Scalar>(a: &[S], b: &[S]) -> Vec<S> {
+/// The triangle of de Casteljau at ½: its two sides are the poles of the halves, which meet in one.
+fn push_halves<S: Scalar>(mut level: Vec<S>, size: usize, net: &mut Vec<S>) {
+    let start = net.len();
+    net.resize(start + (2 * size - 1) * size, S::zero());
+    let places = &mut net[start..];
     let half = S::ratio(1, 2);
-    let pairs = a.iter().zip(b);
-    pairs.map(|(x, y)| half.clone() * (x.clone() + y.clone())).collect()
+    for step in 0..size {
+        let last = size - 1 - step;
+        places[step * size..][..size].clone_from_slice(&level[..size]);
+        places[(2 * (size - 1) - step) * size..][..size]
+            .clone_from_slice(&level[last * size..][..size]);
+        for k in 0..last * size {
+            level[k] = half.clone() * (level[k].clone() + level[k + size].clone());
+        }
+    }
 }
