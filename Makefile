@@ -135,7 +135,7 @@ bench-studio: $(page)
 bench-rust:
 	cargo bench --locked --package pforms-benches
 
-target/works.wasm: $(rust_sources) $(shell find benches/native benches/Cargo.toml) tools/wasm-compile.sh
+target/works.wasm: $(rust_sources) $(shell find benches/native -type f) benches/Cargo.toml tools/wasm-compile.sh
 	folder=$$(tools/wasm-compile.sh --package pforms-benches --example wasm) && cp $$folder/examples/wasm.wasm $@
 
 .tools/book/operators.json: .tools/book/ready $(rust_sources)

@@ -44,24 +44,34 @@ fn diagonal(bencher: Bencher, kind: Kind) {
     bencher.bench(|| operators::diagonal(black_box(&form), 0, 1));
 }
 
-/// Orders of what is immersed, and of the host; rational or not.
-const IMMERSIONS: [(&[usize], &[usize], bool); 10] = [
-    (&[4], &[4, 4], false),
-    (&[4], &[4, 4], true),
-    (&[2, 2], &[4, 4], false),
-    (&[2, 2], &[4, 4], true),
-    (&[4, 4], &[2, 2, 2], false),
-    (&[4, 4], &[2, 2, 2], true),
-    (&[2, 2, 2], &[3, 3, 3], false),
-    (&[2, 2, 2], &[3, 3, 3], true),
-    (&[4, 4, 4], &[4, 4, 4], false),
-    (&[4, 4, 4], &[4, 4, 4], true),
-];
+const INNERS: [Kind; 10] = Kind::sweep([(1, 4), (2, 2), (2, 4), (3, 2), (3, 4)]);
 
-#[divan::bench(args = 0..IMMERSIONS.len())]
-fn immerse(bencher: Bencher, which: usize) {
-    let (inner_orders, host_orders, rational) = IMMERSIONS[which];
-    let inner = inside(host_orders.len(), inner_orders, rational);
-    let host = form(host_orders, rational);
+/// In a bicubic surface.
+#[divan::bench(args = &INNERS[..4])]
+fn immerse_in_surface(bencher: Bencher, kind: &Kind) {
+    immerse(bencher, *kind, &[4, 4]);
+}
+
+/// In a trilinear volume.
+#[divan::bench(args = &INNERS[4..6])]
+fn immerse_in_facet(bencher: Bencher, kind: &Kind) {
+    immerse(bencher, *kind, &[2, 2, 2]);
+}
+
+/// In a triquadratic volume.
+#[divan::bench(args = &INNERS[6..8])]
+fn immerse_in_cage(bencher: Bencher, kind: &Kind) {
+    immerse(bencher, *kind, &[3, 3, 3]);
+}
+
+/// In a tricubic volume: of degree 27 along each axis.
+#[divan::bench(args = &INNERS[8..])]
+fn immerse_in_volume(bencher: Bencher, kind: &Kind) {
+    immerse(bencher, *kind, &[4, 4, 4]);
+}
+
+fn immerse(bencher: Bencher, kind: Kind, host_orders: &[usize]) {
+    let inner = inside(host_orders.len(), &vec![kind.order; kind.axes], kind.rational);
+    let host = form(host_orders, kind.rational);
     bencher.bench(|| operators::immerse(black_box(&inner), &host));
 }
