@@ -42,7 +42,8 @@ def question(variant: str, _: int) -> Question:
         return Work(measured(NATIVE, number))
 
     def node(_: int) -> Work:
-        return Work(measured(MODULE, number, "node", str(SCRIPT)))
+        # The optimising compiler at once, as a browser comes to use it for what runs often.
+        return Work(measured(MODULE, number, "node", "--no-liftoff", str(SCRIPT)))
 
     def error(answer: Array) -> float:
         return 0.0 if np.array_equal(answer, native(1).run().answer) else np.inf
