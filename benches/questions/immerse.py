@@ -7,6 +7,7 @@ from math import comb
 import numpy as np
 
 import bernstein
+import pforms as pf
 from bernstein import Net
 from contest import Array, Question, Work, apart_from
 
@@ -33,16 +34,22 @@ def question(variant: str, count: int) -> Question:
         inside(bernstein.net(6 + i, kind, *inner_orders, low=0.0), host) for i in range(count)
     ]
 
-    def ours(threads: int) -> Work:
-        from peers.ours import form, poles
+    def read(results: list[pf.Form]) -> Array:
+        from peers.ours import poles
 
-        host_form = form(host, threads)
-        forms = [form(inner, threads) for inner in inners]
-        rational = host.weights is not None
-        return Work(
-            lambda: [host_form(form) for form in forms],
-            lambda results: np.array([poles(result, rational) for result in results]),
-        )
+        return np.array([poles(result, host.weights is not None) for result in results])
+
+    def ours(threads: int) -> Work:
+        from peers.ours import form
+
+        host_form, forms = form(host, threads), [form(inner, threads) for inner in inners]
+        return Work(lambda: [host_form(form) for form in forms], read)
+
+    def ours_at_once(threads: int) -> Work:
+        from peers.ours import form
+
+        host_form, forms = form(host, threads), [form(inner, threads) for inner in inners]
+        return Work(lambda: pf.immerse(forms, host_form), read)
 
     def numpy(_: int) -> Work:
         return Work(lambda: [sampled(inner, host) for inner in inners], np.array)
@@ -64,7 +71,7 @@ def question(variant: str, count: int) -> Question:
             answer[: len(checked)]
         )
 
-    answers = {"pforms": ours, "numpy": numpy, "splinepy": splinepy}
+    answers = {"pforms": ours, "pforms list": ours_at_once, "numpy": numpy, "splinepy": splinepy}
     return Question(count, "immersion", answers, error, threads=(1,))
 
 
