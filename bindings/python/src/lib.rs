@@ -24,6 +24,7 @@ mod outputs;
 mod parameters;
 mod piecewise;
 mod points;
+mod rows;
 mod sampling;
 mod settings;
 mod sheet;
