@@ -3,8 +3,9 @@
 use crate::basis::bernstein_row_into;
 use crate::bulk_grid::Grids;
 use crate::bulk_scattered::Scattered;
-use crate::lanes::in_lanes;
+use crate::planar::doubt;
 use crate::threads::fill_parts;
+use crate::vectors::in_lanes;
 use crate::{Error, Form, Result, limit};
 
 impl Form<f64> {
@@ -200,6 +201,9 @@ fn require_output(out: &[f64], expected: usize) -> Result<()> {
 }
 
 fn require_finite_list(list: &[f64]) -> Result<()> {
+    if list.iter().fold(0, |doubts, t| doubts | doubt(*t)) == 0 {
+        return Ok(());
+    }
     match list.iter().find(|t| !t.is_finite()) {
         None => Ok(()),
         Some(t) => Err(Error::domain("parameters", t, "finite numbers")),
@@ -209,7 +213,7 @@ fn require_finite_list(list: &[f64]) -> Result<()> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::lanes::Job;
+    use crate::vectors::Job;
 
     fn wavy(orders: &[usize], ambient: usize, rational: bool) -> Form<f64> {
         let count: usize = orders.iter().product();
@@ -222,18 +226,16 @@ mod tests {
         numbers.iter().map(|x| x.to_bits()).collect()
     }
 
-    /// Runs a job that fills so many numbers, in vectors of every width.
+    /// Runs a job that fills so many numbers, in plain numbers and in the vectors of the machine.
     macro_rules! assert_same_bits {
         ($count:expr, |$out:ident| $job:expr) => {{
-            let mut outs = [(); 3].map(|()| vec![0.0; $count]);
-            let [two, four, eight] = outs.each_mut();
-            let $out = two;
-            $job.run::<2>().unwrap();
-            let $out = four;
-            $job.run::<4>().unwrap();
-            let $out = eight;
-            $job.run::<8>().unwrap();
-            assert!(bits(&outs[0]) == bits(&outs[1]) && bits(&outs[1]) == bits(&outs[2]));
+            let mut outs = [(); 2].map(|()| vec![0.0; $count]);
+            let [plain, wide] = outs.each_mut();
+            let $out = plain;
+            $job.run(pulp::Scalar::new()).unwrap();
+            let $out = wide;
+            in_lanes($job).unwrap();
+            assert_eq!(bits(&outs[0]), bits(&outs[1]));
         }};
     }
 

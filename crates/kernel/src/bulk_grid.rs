@@ -3,8 +3,9 @@
 #![allow(clippy::inline_always, reason = "only what is inlined is compiled for the wider sets")]
 
 use crate::basis::bernstein_row_into;
-use crate::lanes::{Job, Lanes, MOST, bernstein};
 use crate::planar::{BLOCK, Planar};
+use crate::vector_rows::column_sum;
+use crate::vectors::{Job, Lanes, MOST, Simd, bernstein, line_sums};
 use crate::{Form, Result, bernstein_row};
 
 /// Numbers in a table of basis values at most: they stay in the second cache.
@@ -21,16 +22,16 @@ impl Job for Grids<'_> {
     type Output = Result<()>;
 
     #[inline(always)]
-    fn run<const N: usize>(self) -> Result<()> {
+    fn run<S: Simd>(self, simd: S) -> Result<()> {
         let points: usize = self.parameters.iter().map(|list| list.len()).product();
         let mut rest = self.out;
-        let mut plan: Option<Plan<N>> = None;
+        let mut plan: Option<Plan<S>> = None;
         for form in self.forms {
             let (part, others) = rest.split_at_mut(points * form.ambient());
             rest = others;
             let plan = match &mut plan {
                 Some(plan) if plan.orders == form.orders() => plan,
-                plan => plan.insert(Plan::new(form, self.parameters)),
+                plan => plan.insert(Plan::new(simd, form, self.parameters)),
             };
             plan.write(form, part)?;
         }
@@ -39,21 +40,21 @@ impl Job for Grids<'_> {
 }
 
 /// Tables and buffers for the grids of forms of the same orders.
-struct Plan<'a, const N: usize> {
+struct Plan<'a, S: Simd> {
     orders: Vec<usize>,
     leading: Vec<Leading<'a>>,
-    last: Last<'a, N>,
+    last: Last<'a, S>,
     planar: Planar,
 }
 
-impl<'a, const N: usize> Plan<'a, N> {
-    fn new(form: &Form<f64>, parameters: &[&'a [f64]]) -> Self {
+impl<'a, S: Simd> Plan<'a, S> {
+    fn new(simd: S, form: &Form<f64>, parameters: &[&'a [f64]]) -> Self {
         let mut axes = parameters.iter().zip(form.orders());
         let last = axes.next_back().map_or((&[0.0][..], 1), |(list, order)| (*list, *order));
         Self {
             orders: form.orders().to_vec(),
             leading: axes.map(|(list, order)| Leading::new(list, *order)).collect(),
-            last: Last::new(last.0, last.1),
+            last: Last::new(simd, last.0, last.1),
             planar: Planar::default(),
         }
     }
@@ -71,8 +72,8 @@ impl<'a, const N: usize> Plan<'a, N> {
                 let group = first..lines.min(first + together);
                 for (place, line) in group.clone().enumerate() {
                     let anew = tile == 0 && line == 0;
-                    let poles = contract_leading::<N>(form, leading, line, anew);
-                    last.put(poles, form.width(), samples, planar, place * samples);
+                    let poles = contract_leading(last.simd, form, leading, line, anew);
+                    last.put(poles, form.width(), planar, place * samples);
                 }
                 let start = (first * length + tile * last.tile) * ambient;
                 planar.project(&mut out[start..][..group.len() * samples * ambient])?;
@@ -104,7 +105,7 @@ impl<'a> Leading<'a> {
 
     /// Contracts the poles with the basis values at a sample.
     #[inline(always)]
-    fn contract<const N: usize>(&mut self, poles: &[f64], at: usize) {
+    fn contract<S: Simd>(&mut self, simd: S, poles: &[f64], at: usize) {
         self.at = at;
         let row = if self.table.is_empty() {
             bernstein_row_into(self.order - 1, &self.list[at], &mut self.row);
@@ -114,14 +115,15 @@ impl<'a> Leading<'a> {
         };
         let inner = poles.len() / self.order;
         self.line.resize(inner, 0.0);
-        combine::<N>(row, poles, &mut self.line);
+        combine(simd, row, poles, &mut self.line);
     }
 }
 
 /// The poles at sample `line` of the leading axes, the last of which runs fastest. Only what has
 /// changed since the line before is contracted again, or everything `anew`.
 #[inline(always)]
-fn contract_leading<'a, const N: usize>(
+fn contract_leading<'a, S: Simd>(
+    simd: S,
     form: &'a Form<f64>,
     leading: &'a mut [Leading],
     line: usize,
@@ -136,7 +138,7 @@ fn contract_leading<'a, const N: usize>(
         let at = line / stride % here[0].list.len();
         changed |= here[0].at != at;
         if changed {
-            here[0].contract::<N>(poles, at);
+            here[0].contract(simd, poles, at);
         }
     }
     leading.last().map_or(form.homogeneous(), |axis| &axis.line)
@@ -144,115 +146,101 @@ fn contract_leading<'a, const N: usize>(
 
 /// `line = Σ row · poles`, lines of poles.
 #[inline(always)]
-fn combine<const N: usize>(row: &[f64], poles: &[f64], line: &mut [f64]) {
+fn combine<S: Simd>(simd: S, row: &[f64], poles: &[f64], line: &mut [f64]) {
     let inner = line.len();
-    for start in (0..inner / N * N).step_by(N) {
-        let mut sum = Lanes::<N>::ZERO;
+    let whole = inner / S::F64_LANES * S::F64_LANES;
+    for start in (0..whole).step_by(S::F64_LANES) {
+        let mut sum = Lanes::splat(simd, 0.0);
         for (entry, pole) in row.iter().zip(poles.chunks_exact(inner)) {
-            sum = sum + Lanes::splat(*entry) * Lanes::load(&pole[start..]);
+            sum = sum + Lanes::splat(simd, *entry) * Lanes::load(simd, &pole[start..]);
         }
         sum.store(&mut line[start..]);
     }
-    for k in inner / N * N..inner {
+    for k in whole..inner {
         let terms = row.iter().zip(poles.chunks_exact(inner));
         line[k] = terms.fold(0.0, |sum, (entry, pole)| sum + entry * pole[k]);
     }
 }
 
-/// The last axis: its samples in tiles, with their basis values in columns.
-struct Last<'a, const N: usize> {
+/// The last axis: its samples in tiles, and the basis values of a tile.
+struct Last<'a, S: Simd> {
+    simd: S,
     list: &'a [f64],
-    /// Samples of a tile, and the length of a column, which holds whole lanes.
+    order: usize,
+    /// Samples of a tile.
     tile: usize,
-    column: usize,
-    table: Vec<f64>,
+    /// The tile whose basis values these are: a row for each vector of samples.
     filled: Option<usize>,
-    row: Vec<Lanes<N>>,
+    rows: Vec<Lanes<S>>,
 }
 
-impl<'a, const N: usize> Last<'a, N> {
-    fn new(list: &'a [f64], order: usize) -> Self {
+impl<'a, S: Simd> Last<'a, S> {
+    fn new(simd: S, list: &'a [f64], order: usize) -> Self {
         let most = (TABLE / order / MOST * MOST).clamp(MOST, BLOCK);
         let tile = list.len().min(most);
-        let column = tile.next_multiple_of(MOST);
-        let table = vec![0.0; order * column];
-        Self { list, tile, column, table, filled: None, row: vec![Lanes::ZERO; order] }
+        Self { simd, list, order, tile, filled: None, rows: Vec::new() }
     }
 
-    /// Makes the table of a tile, unless it is there; tells the number of samples.
+    /// Makes the rows of a tile, unless they are there; tells the number of samples.
     #[inline(always)]
     fn fill(&mut self, tile: usize) -> usize {
         let list = &self.list[tile * self.tile..];
         let list = &list[..list.len().min(self.tile)];
         if self.filled != Some(tile) {
             self.filled = Some(tile);
-            for at in (0..list.len()).step_by(N) {
-                bernstein(Lanes::load_some(&list[at..]), &mut self.row);
-                for (values, column) in
-                    self.row.iter().zip(self.table.chunks_exact_mut(self.column))
-                {
-                    values.store(&mut column[at..]);
-                }
+            let zero = Lanes::splat(self.simd, 0.0);
+            self.rows.resize(list.len().div_ceil(S::F64_LANES) * self.order, zero);
+            let samples = list.chunks(S::F64_LANES);
+            for (samples, row) in samples.zip(self.rows.chunks_exact_mut(self.order)) {
+                bernstein(Lanes::load_some(self.simd, samples), row);
             }
         }
         list.len()
     }
 
-    /// Puts down the points of a line of poles at the samples of the tile.
+    /// Puts down the points of a line of poles at the samples of the tile, from `place` on.
     #[inline(always)]
-    fn put(&self, line: &[f64], width: usize, samples: usize, planar: &mut Planar, place: usize) {
-        match (width, planar.columns()) {
-            (4, 4) => self.put_all::<4, 4>(line, samples, planar, place),
-            (4, 3) => self.put_all::<4, 3>(line, samples, planar, place),
-            (3, 3) => self.put_all::<3, 3>(line, samples, planar, place),
-            (3, 2) => self.put_all::<3, 2>(line, samples, planar, place),
+    fn put(&self, line: &[f64], width: usize, planar: &mut Planar, place: usize) {
+        match (width, planar.summed()) {
+            (4, 4) => self.put_all::<4, 4>(line, planar, place),
+            (4, 3) => self.put_all::<4, 3>(line, planar, place),
+            (3, 3) => self.put_all::<3, 3>(line, planar, place),
+            (3, 2) => self.put_all::<3, 2>(line, planar, place),
             (width, columns) => {
                 for column in 0..columns {
-                    self.put_column(&line[column..], width, samples, planar, column, place);
+                    self.put_column(&line[column..], width, planar, column, place);
                 }
             }
         }
     }
 
-    /// The same for the first `C` components of poles of `W` numbers.
+    /// The same with the width of the poles, and the components to sum, known to the compiler.
     #[inline(always)]
     fn put_all<const W: usize, const C: usize>(
         &self,
         line: &[f64],
-        samples: usize,
         planar: &mut Planar,
         place: usize,
     ) {
         let (poles, _) = line.as_chunks::<W>();
-        for at in (0..samples).step_by(N) {
-            let mut sum = [Lanes::<N>::ZERO; C];
-            for (column, pole) in self.table.chunks_exact(self.column).zip(poles) {
-                let values = Lanes::load(&column[at..]);
-                for c in 0..C {
-                    sum[c] = sum[c] + values * Lanes::splat(pole[c]);
-                }
-            }
-            planar.put(0, place + at, &sum);
+        for (group, row) in self.rows.chunks_exact(self.order).enumerate() {
+            planar.put(0, place + group * S::F64_LANES, &line_sums::<S, W, C>(row, poles));
         }
     }
 
-    /// The same for one component of poles of any width.
+    /// The same for the first component of poles of any width.
     #[inline(always)]
     fn put_column(
         &self,
         line: &[f64],
         width: usize,
-        samples: usize,
         planar: &mut Planar,
         column: usize,
         place: usize,
     ) {
-        for at in (0..samples).step_by(N) {
-            let mut sum = Lanes::<N>::ZERO;
-            for (values, pole) in self.table.chunks_exact(self.column).zip(line.chunks(width)) {
-                sum = sum + Lanes::load(&values[at..]) * Lanes::splat(pole[0]);
-            }
-            planar.put(column, place + at, &[sum]);
+        for (group, row) in self.rows.chunks_exact(self.order).enumerate() {
+            let sum = column_sum(row, line, width);
+            planar.put(column, place + group * S::F64_LANES, &[sum]);
         }
     }
 }

@@ -42,6 +42,8 @@ mod scalar;
 #[cfg(target_arch = "wasm32")]
 mod simd128;
 pub mod threads;
+mod vector_rows;
+pub mod vectors;
 
 pub use basis::{bernstein_row, blossom_row, projective_blossom_row, taylor_rows};
 pub use bulk::{Batch, grids_into};

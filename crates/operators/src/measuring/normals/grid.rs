@@ -7,10 +7,10 @@
 )]
 
 use pforms_kernel::Result;
-use pforms_kernel::lanes::{Job, Lanes, bernstein_slopes};
+use pforms_kernel::vectors::{Job, Lanes, Simd, bernstein_slopes, line_sums};
 
-use super::direction::{BLOCK, Block};
-use super::net::{Nets, Pole, is_far};
+use super::direction::{BLOCK, Block, Jets};
+use super::net::{MIDDLE, Nets, Pole, is_far};
 
 /// The normals at all `us` and `vs`, into `out`.
 pub(super) struct Grid<'a> {
@@ -24,24 +24,28 @@ impl Job for Grid<'_> {
     type Output = Result<()>;
 
     #[inline(always)]
-    fn run<const N: usize>(self) -> Result<()> {
+    fn run<S: Simd>(self, simd: S) -> Result<()> {
         let Self { nets, us, vs, out } = self;
         let (out, _) = out.as_chunks_mut::<3>();
         let mut block = Block::new();
-        let mut lines = [Line::new(nets), Line::new(nets)];
+        let mut lines = [Line::new(simd, nets), Line::new(simd, nets)];
+        let order = nets.orders()[1];
         for (tile, part) in vs.chunks(BLOCK).enumerate() {
-            let groups = groups::<N>(nets.orders()[1], part);
+            let groups = groups(simd, order, part);
+            let sides = [false, true].map(|far| part.iter().any(|v| is_far(*v) == far));
             for (row, u) in us.iter().enumerate() {
-                for (far, line) in [false, true].into_iter().zip(&mut lines) {
-                    if groups.iter().any(|group| group.far != Some(!far)) {
-                        line.contract(nets.near(is_far(*u), far), *u);
+                for far in 0..2 {
+                    if sides[far] {
+                        let net = nets.near(is_far(*u), far == 1);
+                        lines[far].contract(net, order, Lanes::splat(simd, *u));
                     }
                 }
                 for (place, group) in groups.iter().enumerate() {
-                    group.put(&lines, &mut block, place * N);
+                    block.put(place * S::F64_LANES, &group.normals(&lines, nets));
                 }
                 let start = row * vs.len() + tile * BLOCK;
-                block.write(&mut out[start..start + part.len()], nets, |i| [*u, part[i]])?;
+                let out = &mut out[start..start + part.len()];
+                block.write(out, nets.surface, |i| [*u, part[i]])?;
             }
         }
         Ok(())
@@ -49,98 +53,96 @@ impl Job for Grid<'_> {
 }
 
 /// A net contracted along `u`: a line of poles along `v`, and its derivative.
-struct Line {
+struct Line<S: Simd> {
     poles: Vec<Pole>,
     slopes: Vec<Pole>,
-    row: [Vec<Lanes<1>>; 2],
+    row: [Vec<Lanes<S>>; 2],
 }
 
-impl Line {
-    fn new(nets: &Nets) -> Self {
+impl<S: Simd> Line<S> {
+    fn new(simd: S, nets: &Nets) -> Self {
         let [first, second] = nets.orders();
-        let (row, poles) = (vec![Lanes::ZERO; first], vec![[0.0; 4]; second]);
+        let row = vec![Lanes::splat(simd, 0.0); first];
+        let poles = vec![[0.0; 4]; second.next_multiple_of(2)];
         Self { poles: poles.clone(), slopes: poles, row: [row.clone(), row] }
     }
 
     #[inline(always)]
-    fn contract(&mut self, net: &[Pole], u: f64) {
+    fn contract(&mut self, net: &[Pole], order: usize, u: Lanes<S>) {
         let [values, slopes] = &mut self.row;
-        bernstein_slopes(Lanes([u]), values, slopes);
-        combine(values, net, &mut self.poles);
-        combine(slopes, net, &mut self.slopes);
+        bernstein_slopes(u, values, slopes);
+        combine(values, net, order, &mut self.poles);
+        combine(slopes, net, order, &mut self.slopes);
     }
 }
 
-/// `line = Σ row · net`.
+/// `line = Σ row · net`, the row the same in all lanes. A line of an odd order ends with a pole
+/// that is not used, as does the net.
 #[inline(always)]
-fn combine(row: &[Lanes<1>], net: &[Pole], line: &mut [Pole]) {
-    line.fill([0.0; 4]);
-    for (entry, poles) in row.iter().zip(net.chunks_exact(line.len())) {
-        for (sum, pole) in line.iter_mut().zip(poles) {
-            for k in 0..4 {
-                sum[k] += entry.0[0] * pole[k];
-            }
+fn combine<S: Simd>(row: &[Lanes<S>], net: &[Pole], order: usize, line: &mut [Pole]) {
+    let (net, line) = (net.as_flattened(), line.as_flattened_mut());
+    for at in (0..line.len()).step_by(S::F64_LANES) {
+        let simd = row[0].simd();
+        let mut sum = row[0] * Lanes::load(simd, &net[at..]);
+        for (i, entry) in row.iter().enumerate().skip(1) {
+            sum = sum + *entry * Lanes::load(simd, &net[4 * i * order + at..]);
         }
+        sum.store(&mut line[at..]);
     }
 }
 
-/// `N` parameters along `v`: their basis values and slopes, and the half they lie in.
-struct Group<const N: usize> {
-    vs: Lanes<N>,
-    values: Vec<Lanes<N>>,
-    slopes: Vec<Lanes<N>>,
+/// The parameters along `v` in the lanes: their basis values and slopes, and the half they lie in.
+struct Group<S: Simd> {
+    vs: Lanes<S>,
+    values: Vec<Lanes<S>>,
+    slopes: Vec<Lanes<S>>,
     /// `None` when they lie in both.
     far: Option<bool>,
 }
 
-fn groups<const N: usize>(order: usize, vs: &[f64]) -> Vec<Group<N>> {
+fn groups<S: Simd>(simd: S, order: usize, vs: &[f64]) -> Vec<Group<S>> {
     let group = |part: &[f64]| {
-        let (mut values, mut slopes) = (vec![Lanes::ZERO; order], vec![Lanes::ZERO; order]);
-        let vs = Lanes::load_some(part);
+        let vs = Lanes::load_some(simd, part);
+        let (mut values, mut slopes) = (vec![vs; order], vec![vs; order]);
         bernstein_slopes(vs, &mut values, &mut slopes);
-        let far = is_far(vs.0[0]);
-        let one_side = vs.0.iter().all(|v| is_far(*v) == far);
+        let far = is_far(part[0]);
+        let one_side = part.iter().all(|v| is_far(*v) == far);
         Group { vs, values, slopes, far: one_side.then_some(far) }
     };
-    vs.chunks(N).map(group).collect()
+    vs.chunks(S::F64_LANES).map(group).collect()
 }
 
-impl<const N: usize> Group<N> {
-    /// Puts down the sums over the line that is seen from the nearest corner.
+impl<S: Simd> Group<S> {
+    /// The normals on the line that is seen from the nearest corner.
     #[inline(always)]
-    fn put(&self, lines: &[Line; 2], block: &mut Block, at: usize) {
-        let Some(far) = self.far else { return self.put_both(lines, block, at) };
-        let line = &lines[usize::from(far)];
-        block.put(0, at, &line_sum(&self.values, &line.poles));
-        block.put(1, at, &line_sum(&self.values, &line.slopes));
-        block.put(2, at, &line_sum(&self.slopes, &line.poles));
-    }
-
-    /// The same for lanes on both sides.
-    fn put_both(&self, [near, far]: &[Line; 2], block: &mut Block, at: usize) {
-        let choose = |near: Lanes<N>, far: Lanes<N>| {
-            Lanes::<N>(std::array::from_fn(
-                |k| if is_far(self.vs.0[k]) { far.0[k] } else { near.0[k] },
-            ))
-        };
-        let both = |row: &[Lanes<N>], near: &[Pole], far: &[Pole]| {
-            let (near, far) = (line_sum(row, near), line_sum(row, far));
-            [0, 1, 2, 3].map(|k| choose(near[k], far[k]))
-        };
-        block.put(0, at, &both(&self.values, &near.poles, &far.poles));
-        block.put(1, at, &both(&self.values, &near.slopes, &far.slopes));
-        block.put(2, at, &both(&self.slopes, &near.poles, &far.poles));
-    }
-}
-
-/// `Σ row · pole`.
-#[inline(always)]
-fn line_sum<const N: usize>(row: &[Lanes<N>], poles: &[Pole]) -> [Lanes<N>; 4] {
-    let mut sum = [Lanes::ZERO; 4];
-    for (entry, pole) in row.iter().zip(poles) {
-        for k in 0..4 {
-            sum[k] = sum[k] + *entry * Lanes::splat(pole[k]);
+    fn normals(&self, lines: &[Line<S>; 2], nets: &Nets) -> [Lanes<S>; 4] {
+        if let Some(far) = self.far {
+            return self.normals_on(&lines[usize::from(far)], nets);
         }
+        let (near, far) = (self.normals_on(&lines[0], nets), self.normals_on(&lines[1], nets));
+        let middle = Lanes::splat(self.vs.simd(), MIDDLE);
+        let mut chosen = near;
+        for k in 0..4 {
+            chosen[k] = self.vs.if_above(middle, far[k], near[k]);
+        }
+        chosen
     }
-    sum
+
+    #[inline(always)]
+    fn normals_on(&self, line: &Line<S>, nets: &Nets) -> [Lanes<S>; 4] {
+        let simd = self.vs.simd();
+        let jets = match nets.uniform {
+            None => Jets {
+                point: line_sums(&self.values, &line.poles),
+                along_u: line_sums(&self.values, &line.slopes),
+                along_v: line_sums(&self.slopes, &line.poles),
+            },
+            Some(weight) => Jets::polynomial(
+                Lanes::splat(simd, weight),
+                line_sums(&self.values, &line.slopes),
+                line_sums(&self.slopes, &line.poles),
+            ),
+        };
+        jets.normals(nets.reach)
+    }
 }

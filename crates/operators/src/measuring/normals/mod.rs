@@ -9,8 +9,8 @@ mod grid;
 mod net;
 mod scattered;
 
-use pforms_kernel::lanes::in_lanes;
 use pforms_kernel::threads::fill_parts;
+use pforms_kernel::vectors::in_lanes;
 use pforms_kernel::{Error, Form, Result};
 
 use grid::Grid;

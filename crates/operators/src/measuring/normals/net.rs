@@ -27,7 +27,7 @@ impl<'a> Nets<'a> {
         Self { surface, corners, uniform: surface.uniform_weight().copied(), reach }
     }
 
-    /// The poles seen from the corner nearest to a point.
+    /// The poles seen from the corner nearest to a point, and one that is not used.
     pub(super) fn near(&self, far_u: bool, far_v: bool) -> &[Pole] {
         &self.corners[usize::from(far_u) + 2 * usize::from(far_v)]
     }
@@ -43,14 +43,18 @@ impl<'a> Nets<'a> {
     }
 }
 
-/// Does a parameter belong to the far half of the window?
+/// Above it a parameter belongs to the far half of the window.
+pub(super) const MIDDLE: f64 = 0.5;
+
 pub(super) fn is_far(t: f64) -> bool {
-    t > 0.5
+    t > MIDDLE
 }
 
 fn seen_from_corner(surface: &Form, corner: [bool; 2]) -> Vec<Pole> {
     let centre = corner_point(surface, &corner);
     let (poles, _) = surface.homogeneous().as_chunks::<4>();
     let seen = |pole: &Pole, k: usize| seen_from(pole[k], centre[k] * pole[3]).value;
-    poles.iter().map(|pole| [seen(pole, 0), seen(pole, 1), seen(pole, 2), pole[3]]).collect()
+    let seen = poles.iter().map(|pole| [seen(pole, 0), seen(pole, 1), seen(pole, 2), pole[3]]);
+    // Lines of an odd order are read with one pole more.
+    seen.chain([[0.0; 4]]).collect()
 }
