@@ -2,7 +2,7 @@
 
 use crate::basis::bernstein_row_into;
 use crate::bulk_grid::Grids;
-use crate::bulk_scattered::Scattered;
+use crate::bulk_scattered::write_scattered;
 use crate::planar::doubt;
 use crate::threads::fill_parts;
 use crate::vectors::in_lanes;
@@ -44,7 +44,7 @@ impl Form<f64> {
         fill_parts(out, self.ambient(), self.cost(), |points, out| {
             let parameters: Vec<&[f64]> =
                 parameters.iter().map(|list| &list[points.clone()]).collect();
-            in_lanes(Scattered { form: self, parameters: &parameters, out })
+            write_scattered(self, &parameters, out)
         })
     }
 
@@ -213,7 +213,7 @@ fn require_finite_list(list: &[f64]) -> Result<()> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::vectors::Job;
+    use crate::vectors::PLAIN;
 
     fn wavy(orders: &[usize], ambient: usize, rational: bool) -> Form<f64> {
         let count: usize = orders.iter().product();
@@ -226,17 +226,17 @@ mod tests {
         numbers.iter().map(|x| x.to_bits()).collect()
     }
 
-    /// Runs a job that fills so many numbers, in plain numbers and in the vectors of the machine.
-    macro_rules! assert_same_bits {
-        ($count:expr, |$out:ident| $job:expr) => {{
-            let mut outs = [(); 2].map(|()| vec![0.0; $count]);
-            let [plain, wide] = outs.each_mut();
-            let $out = plain;
-            $job.run(pulp::Scalar::new()).unwrap();
-            let $out = wide;
-            in_lanes($job).unwrap();
-            assert_eq!(bits(&outs[0]), bits(&outs[1]));
-        }};
+    /// Fills so many numbers in plain numbers and in the vectors of the machine.
+    fn assert_same_bits(count: usize, fill: impl Fn(&mut [f64])) {
+        let mut outs = [false, true].map(|plain| {
+            let mut out = vec![0.0; count];
+            PLAIN.set(plain);
+            fill(&mut out);
+            out
+        });
+        PLAIN.set(false);
+        let [wide, plain] = outs.each_mut();
+        assert_eq!(bits(wide), bits(plain));
     }
 
     #[test]
@@ -261,10 +261,9 @@ mod tests {
                 let list: Vec<f64> = (0..19).map(|k| (f64::from(k) * 0.37).fract()).collect();
                 let lists = vec![&list[..]; orders.len()];
                 let few: Vec<&[f64]> = lists.iter().map(|list| &list[..5]).collect();
-                let width = 19 * ambient;
-                assert_same_bits!(width, |out| Scattered { form: &form, parameters: &lists, out });
-                let (forms, width) = ([&form], 5_usize.pow(orders.len() as u32) * ambient);
-                assert_same_bits!(width, |out| Grids { forms: &forms, parameters: &few, out });
+                assert_same_bits(19 * ambient, |out| form.scattered_into(&lists, out).unwrap());
+                let count = 5_usize.pow(orders.len() as u32) * ambient;
+                assert_same_bits(count, |out| form.grid_into(&few, out).unwrap());
             }
         }
     }
@@ -297,7 +296,7 @@ mod tests {
         let long: Vec<f64> = (0..300_000).map(|k| f64::from(k) / 3e5).collect();
         let batch = form.scattered(&[&long, &long]).unwrap();
         let mut serial = vec![0.0; batch.len()];
-        in_lanes(Scattered { form: &form, parameters: &[&long, &long], out: &mut serial }).unwrap();
+        write_scattered(&form, &[&long, &long], &mut serial).unwrap();
         assert_eq!(bits(&batch), bits(&serial));
     }
 

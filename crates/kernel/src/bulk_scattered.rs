@@ -6,82 +6,90 @@
     reason = "only what is inlined is compiled for the wider sets; lanes are counted, not iterated"
 )]
 
+use std::marker::PhantomData;
+
 use crate::planar::{BLOCK, Planar};
 use crate::vector_rows::{column_sum, short_row};
-use crate::vectors::{Job, Lanes, Simd, bernstein, line_sums};
+use crate::vectors::{Job, Lanes, Simd, bernstein, in_lanes, line_sums};
 use crate::{Form, Result};
 
 /// The points of a form at `parameters[axis][i]`, into `out`.
-pub(crate) struct Scattered<'a> {
-    pub form: &'a Form<f64>,
-    pub parameters: &'a [&'a [f64]],
-    pub out: &'a mut [f64],
+///
+/// The common shapes are compiled each for itself, so that their rows stay in registers.
+pub(crate) fn write_scattered(
+    form: &Form<f64>,
+    parameters: &[&[f64]],
+    out: &mut [f64],
+) -> Result<()> {
+    match *form.orders() {
+        [2, 2] => write_shape::<Square<2>>(form, parameters, out),
+        [3, 3] => write_shape::<Square<3>>(form, parameters, out),
+        [4, 4] => write_shape::<Square<4>>(form, parameters, out),
+        [2, 2, 2] => write_shape::<Cube<2>>(form, parameters, out),
+        [3, 3, 3] => write_shape::<Cube<3>>(form, parameters, out),
+        [4, 4, 4] => write_shape::<Cube<4>>(form, parameters, out),
+        _ => write_shape::<Any>(form, parameters, out),
+    }
 }
 
-impl Job for Scattered<'_> {
+/// Goes on with the width of the poles, and the components to be summed, known to the compiler.
+fn write_shape<K: Shape>(form: &Form<f64>, parameters: &[&[f64]], out: &mut [f64]) -> Result<()> {
+    let mut planar = Planar::default();
+    planar.begin(form);
+    let (width, summed) = (form.width(), planar.summed());
+    let blocks = Blocks { form, parameters, planar, out };
+    match (width, summed) {
+        (4, 4) => in_lanes(OfWidth::<K, 4, 4>(blocks, PhantomData)),
+        (4, 3) => in_lanes(OfWidth::<K, 4, 3>(blocks, PhantomData)),
+        (3, 3) => in_lanes(OfWidth::<K, 3, 3>(blocks, PhantomData)),
+        (3, 2) => in_lanes(OfWidth::<K, 3, 2>(blocks, PhantomData)),
+        _ => in_lanes(OfAnyWidth::<K>(blocks, PhantomData)),
+    }
+}
+
+/// Points to be written, a block after the other.
+struct Blocks<'a> {
+    form: &'a Form<f64>,
+    parameters: &'a [&'a [f64]],
+    planar: Planar,
+    out: &'a mut [f64],
+}
+
+/// The blocks of a form whose poles are `W` numbers wide, the first `C` of them to be summed.
+struct OfWidth<'a, K, const W: usize, const C: usize>(Blocks<'a>, PhantomData<K>);
+
+impl<K: Shape, const W: usize, const C: usize> Job for OfWidth<'_, K, W, C> {
     type Output = Result<()>;
 
     #[inline(always)]
     fn run<S: Simd>(self, simd: S) -> Result<()> {
-        match *self.form.orders() {
-            [2, 2] => self.write(simd, SquareRows::<S, 2>::new(simd)),
-            [3, 3] => self.write(simd, SquareRows::<S, 3>::new(simd)),
-            [4, 4] => self.write(simd, SquareRows::<S, 4>::new(simd)),
-            [2, 2, 2] => self.write(simd, CubeRows::<S, 2>::new(simd)),
-            [3, 3, 3] => self.write(simd, CubeRows::<S, 3>::new(simd)),
-            [4, 4, 4] => self.write(simd, CubeRows::<S, 4>::new(simd)),
-            ref orders => self.write(simd, AnyRows::new(simd, orders)),
-        }
-    }
-}
-
-impl Scattered<'_> {
-    /// Goes on with the width of the poles, and the components to be summed, known to the compiler.
-    #[inline(always)]
-    fn write<S: Simd>(self, simd: S, rows: impl Rows<S>) -> Result<()> {
-        let mut planar = Planar::default();
-        planar.begin(self.form);
-        match (self.form.width(), planar.summed()) {
-            (4, 4) => self.write_blocks::<S, 4, 4>(simd, rows, planar),
-            (4, 3) => self.write_blocks::<S, 4, 3>(simd, rows, planar),
-            (3, 3) => self.write_blocks::<S, 3, 3>(simd, rows, planar),
-            (3, 2) => self.write_blocks::<S, 3, 2>(simd, rows, planar),
-            _ => self.write_any_width(simd, rows, planar),
-        }
-    }
-
-    #[inline(always)]
-    fn write_blocks<S: Simd, const W: usize, const C: usize>(
-        self,
-        simd: S,
-        mut rows: impl Rows<S>,
-        mut planar: Planar,
-    ) -> Result<()> {
-        let (poles, _) = self.form.homogeneous().as_chunks::<W>();
-        let ambient = W - 1;
-        for (block, out) in self.out.chunks_mut(BLOCK * ambient).enumerate() {
-            let start = block * BLOCK;
-            for at in (0..out.len() / ambient).step_by(S::F64_LANES) {
-                rows.fill(|axis| Lanes::load_some(simd, &self.parameters[axis][start + at..]));
+        let Blocks { form, parameters, mut planar, out } = self.0;
+        let (poles, _) = form.homogeneous().as_chunks::<W>();
+        let mut rows = K::rows(simd, form.orders());
+        for (block, out) in out.chunks_mut(BLOCK * (W - 1)).enumerate() {
+            for at in (0..out.len() / (W - 1)).step_by(S::F64_LANES) {
+                rows.fill(simd, parameters, block * BLOCK + at);
                 planar.put(0, at, &rows.sums::<W, C>(poles));
             }
             planar.project(out)?;
         }
         Ok(())
     }
+}
 
-    /// The same for poles of any width, one component after another.
-    fn write_any_width<S: Simd>(
-        self,
-        simd: S,
-        mut rows: impl Rows<S>,
-        mut planar: Planar,
-    ) -> Result<()> {
-        let Self { form, parameters, out } = self;
+/// The blocks of a form whose poles have any width: one component after another.
+struct OfAnyWidth<'a, K>(Blocks<'a>, PhantomData<K>);
+
+impl<K: Shape> Job for OfAnyWidth<'_, K> {
+    type Output = Result<()>;
+
+    #[inline(always)]
+    fn run<S: Simd>(self, simd: S) -> Result<()> {
+        let Blocks { form, parameters, mut planar, out } = self.0;
+        let mut rows = K::rows(simd, form.orders());
         for (block, out) in out.chunks_mut(BLOCK * form.ambient()).enumerate() {
-            let start = block * BLOCK;
             for at in (0..out.len() / form.ambient()).step_by(S::F64_LANES) {
-                rows.fill(|axis| Lanes::load_some(simd, &parameters[axis][start + at..]));
+                rows.fill(simd, parameters, block * BLOCK + at);
                 for column in 0..planar.summed() {
                     let poles = &form.homogeneous()[column..];
                     planar.put(column, at, &[sum_column(poles, form.width(), &rows)]);
@@ -93,10 +101,58 @@ impl Scattered<'_> {
     }
 }
 
-/// Basis values at `N` points: for the lines of poles along the last axis, and along that axis.
+/// What is known to the compiler about the orders of a form.
+trait Shape {
+    /// The basis values of such a form.
+    type Rows<S: Simd>: Rows<S>;
+
+    /// Room for them.
+    fn rows<S: Simd>(simd: S, orders: &[usize]) -> Self::Rows<S>;
+}
+
+/// A surface of the same order along both axes.
+struct Square<const O: usize>;
+
+impl<const O: usize> Shape for Square<O> {
+    type Rows<S: Simd> = SquareRows<S, O>;
+
+    #[inline(always)]
+    fn rows<S: Simd>(simd: S, _: &[usize]) -> SquareRows<S, O> {
+        SquareRows([[Lanes::splat(simd, 0.0); O]; 2])
+    }
+}
+
+/// A volume of the same order along all axes.
+struct Cube<const O: usize>;
+
+impl<const O: usize> Shape for Cube<O> {
+    type Rows<S: Simd> = CubeRows<S, O>;
+
+    #[inline(always)]
+    fn rows<S: Simd>(simd: S, _: &[usize]) -> CubeRows<S, O> {
+        let zero = Lanes::splat(simd, 0.0);
+        CubeRows { factors: [[zero; O]; O], last: [zero; O] }
+    }
+}
+
+/// Anything else.
+struct Any;
+
+impl Shape for Any {
+    type Rows<S: Simd> = AnyRows<S>;
+
+    #[inline(always)]
+    fn rows<S: Simd>(simd: S, orders: &[usize]) -> AnyRows<S> {
+        let most = orders.iter().max().copied().unwrap_or(1);
+        let rows = vec![Lanes::splat(simd, 1.0); most];
+        AnyRows { orders: orders.to_vec(), factors: Vec::new(), rows }
+    }
+}
+
+/// Basis values at the points of a vector: for the lines of poles along the last axis, and along that axis.
 trait Rows<S: Simd> {
-    /// Takes the values at parameters `t(axis)`.
-    fn fill(&mut self, t: impl Fn(usize) -> Lanes<S>);
+    /// Takes the values at the parameters from `place` on.
+    fn fill(&mut self, simd: S, parameters: &[&[f64]], place: usize);
 
     /// For every line the product of the values along the axes before the last.
     fn factors(&self) -> &[Lanes<S>];
@@ -116,22 +172,14 @@ trait Rows<S: Simd> {
     }
 }
 
-/// Rows of a surface of the same order along both axes, known to the compiler: they stay in
-/// registers.
+/// Rows of a [`Square`].
 struct SquareRows<S: Simd, const O: usize>([[Lanes<S>; O]; 2]);
-
-impl<S: Simd, const O: usize> SquareRows<S, O> {
-    #[inline(always)]
-    fn new(simd: S) -> Self {
-        Self([[Lanes::splat(simd, 0.0); O]; 2])
-    }
-}
 
 impl<S: Simd, const O: usize> Rows<S> for SquareRows<S, O> {
     #[inline(always)]
-    fn fill(&mut self, t: impl Fn(usize) -> Lanes<S>) {
-        for (axis, row) in self.0.iter_mut().enumerate() {
-            *row = short_row(t(axis));
+    fn fill(&mut self, simd: S, parameters: &[&[f64]], place: usize) {
+        for axis in 0..2 {
+            self.0[axis] = short_row(Lanes::load_some(simd, &parameters[axis][place..]));
         }
     }
 
@@ -157,30 +205,23 @@ impl<S: Simd, const O: usize> Rows<S> for SquareRows<S, O> {
     }
 }
 
-/// The same for a volume.
+/// Rows of a [`Cube`].
 struct CubeRows<S: Simd, const O: usize> {
     factors: [[Lanes<S>; O]; O],
     last: [Lanes<S>; O],
 }
 
-impl<S: Simd, const O: usize> CubeRows<S, O> {
-    #[inline(always)]
-    fn new(simd: S) -> Self {
-        let zero = Lanes::splat(simd, 0.0);
-        Self { factors: [[zero; O]; O], last: [zero; O] }
-    }
-}
-
 impl<S: Simd, const O: usize> Rows<S> for CubeRows<S, O> {
     #[inline(always)]
-    fn fill(&mut self, t: impl Fn(usize) -> Lanes<S>) {
-        let (first, second) = (short_row::<S, O>(t(0)), short_row::<S, O>(t(1)));
+    fn fill(&mut self, simd: S, parameters: &[&[f64]], place: usize) {
+        let first = short_row::<S, O>(Lanes::load_some(simd, &parameters[0][place..]));
+        let second = short_row::<S, O>(Lanes::load_some(simd, &parameters[1][place..]));
         for i in 0..O {
             for j in 0..O {
                 self.factors[i][j] = first[i] * second[j];
             }
         }
-        self.last = short_row(t(2));
+        self.last = short_row(Lanes::load_some(simd, &parameters[2][place..]));
     }
 
     #[inline(always)]
@@ -194,30 +235,21 @@ impl<S: Simd, const O: usize> Rows<S> for CubeRows<S, O> {
     }
 }
 
-/// Rows of any number of axes of any order.
+/// Rows of [`Any`] form.
 struct AnyRows<S: Simd> {
-    simd: S,
     orders: Vec<usize>,
     factors: Vec<Lanes<S>>,
     rows: Vec<Lanes<S>>,
 }
 
-impl<S: Simd> AnyRows<S> {
-    fn new(simd: S, orders: &[usize]) -> Self {
-        let most = orders.iter().max().copied().unwrap_or(1);
-        let rows = vec![Lanes::splat(simd, 1.0); most];
-        Self { simd, orders: orders.to_vec(), factors: Vec::new(), rows }
-    }
-}
-
 impl<S: Simd> Rows<S> for AnyRows<S> {
     #[inline(always)]
-    fn fill(&mut self, t: impl Fn(usize) -> Lanes<S>) {
+    fn fill(&mut self, simd: S, parameters: &[&[f64]], place: usize) {
         self.factors.clear();
-        self.factors.push(Lanes::splat(self.simd, 1.0));
+        self.factors.push(Lanes::splat(simd, 1.0));
         for (axis, &order) in self.orders.iter().enumerate() {
             let row = &mut self.rows[..order];
-            bernstein(t(axis), row);
+            bernstein(Lanes::load_some(simd, &parameters[axis][place..]), row);
             if axis + 1 < self.orders.len() {
                 spread(&mut self.factors, row);
             }

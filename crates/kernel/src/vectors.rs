@@ -164,7 +164,22 @@ pub trait Job {
 /// assert_eq!(numbers, [2.0; 16]);
 /// ```
 pub fn in_lanes<J: Job>(job: J) -> J::Output {
+    #[cfg(test)]
+    if PLAIN.get() {
+        return job.run(pulp::Scalar::new());
+    }
+    // What a browser runs is compiled for vectors or not at all.
+    #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
+    if let Some(simd) = pulp::wasm::Simd128::try_new() {
+        return Simd::vectorize(simd, Compiled(job));
+    }
     Arch::new().dispatch(Compiled(job))
+}
+
+#[cfg(test)]
+thread_local! {
+    /// Do tests ask for plain numbers in place of vectors?
+    pub(crate) static PLAIN: std::cell::Cell<bool> = const { std::cell::Cell::new(false) };
 }
 
 struct Compiled<J>(J);
