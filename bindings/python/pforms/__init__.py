@@ -50,7 +50,7 @@ from pforms.errors import (
     ShapeError,
 )
 from pforms.files import draw, load, save
-from pforms.records import Fit, Frame
+from pforms.records import Fit, Frame, Projection
 
 binormal_form = Form.binormal_form
 blossom = Form.blossom
@@ -63,6 +63,7 @@ frame = Form.frame
 hodograph = Form.hodograph
 normal_form = Form.normal_form
 normals = Form.normals
+project = Form.project
 reduce = Form.reduce
 reparametrise = Form.reparametrise
 reverse = Form.reverse
@@ -89,6 +90,7 @@ __all__ = [
     "LimitError",
     "PformsError",
     "Piecewise",
+    "Projection",
     "ShapeError",
     "Sheet",
     "__version__",
@@ -119,6 +121,7 @@ __all__ = [
     "partition",
     "pascal",
     "polyline",
+    "project",
     "reduce",
     "reparametrise",
     "reverse",

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, NamedTuple
 if TYPE_CHECKING:
     from collections.abc import Iterator, KeysView
 
-    from numpy import float64
+    from numpy import bool_, float64
     from numpy.typing import NDArray
 
     from pforms._pforms import Form
@@ -81,3 +81,26 @@ class Frame:
     def keys(self) -> KeysView[str]:
         """The names; with them ``dict(frame)`` works."""
         return self._named.keys()
+
+
+class Projection(NamedTuple):
+    """Nearest points of a form, and how sure that is.
+
+    >>> import pforms as pf
+    >>> foot = pf.project(pf.Form([(0, 0), (4, 0)]), (1, 3))
+    >>> foot.parameters, foot.points, foot.distances
+    (array([0.25]), array([1., 0.]), array(3.))
+    >>> bool(foot.unique), bool(foot.gaps < 1e-13)
+    (True, True)
+    """
+
+    parameters: NDArray[float64]
+    """Those of the feet, one for each axis: shape (…, axes)."""
+    points: NDArray[float64]
+    """The feet: shape (…, c)."""
+    distances: NDArray[float64]
+    """From the points to their feet."""
+    gaps: NDArray[float64]
+    """By how much any other point of the form may be nearer, at most: proved."""
+    unique: NDArray[bool_]
+    """Is it proved that only these parameters give the nearest point?"""

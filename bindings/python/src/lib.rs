@@ -24,7 +24,7 @@ mod outputs;
 mod parameters;
 mod piecewise;
 mod points;
-mod rows;
+mod projecting;
 mod sampling;
 mod settings;
 mod sheet;

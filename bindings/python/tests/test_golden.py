@@ -15,6 +15,15 @@ ACCURACY = 1e-12
 # What a formula calls by other words.
 FIT_PARTS = {"form": "form", "error": "max_error", "mean error": "rms_error"}
 
+
+def projected(f, net, part=None, **more):
+    """The record of a formula: its points are the poles of a net."""
+    found = pf.project(f, net.poles, **more)
+    names = ("parameters", "point", "distance", "gap", "unique")
+    record = dict(zip(names, found, strict=True))
+    return record[part] if part else record
+
+
 # How the arguments of a golden case are handed over: `f` a form, then what the operator takes.
 CALLS = {
     "bernstein": pf.bernstein,
@@ -51,6 +60,7 @@ CALLS = {
     "midpoint": pf.midpoint,
     "partition": pf.partition,
     "pascal": pf.pascal,
+    "project": projected,
     "reparametrise": lambda f, axis, c: f.reparametrise(axis, c),
     "reverse": lambda f, axis: f.reverse(axis),
     "segment": lambda host, a, b: pf.segment(host, a.poles, b.poles),
@@ -110,6 +120,8 @@ def compare(came, expected):
             compare(came[name], wanted)
     elif "decimal" in expected or "decimals" in expected:
         near(came, expected.get("decimal", expected.get("decimals")))
+    elif "truth" in expected:
+        assert came == expected["truth"]
     elif "list" in expected:
         assert len(came) == len(expected["list"])
         for one, wanted in zip(came, expected["list"], strict=True):

@@ -48,6 +48,17 @@ const PHRASES: &[(&str, &str)] = &[
         "two different axes of a form that has at least two",
         "deux axes différents d'une forme qui en a au moins deux",
     ),
+    ("points in dimension", "des points en dimension"),
+    (
+        "a weight that vanishes or changes sign near",
+        "un poids qui s'annule ou change de signe près de",
+    ),
+    (
+        "weights of one sign over the window, 0 to 1 on each axis",
+        "des poids d'un seul signe sur la fenêtre, de 0 à 1 sur chaque axe",
+    ),
+    ("points within", "des points à moins de"),
+    ("times the size of the form", "fois la taille de la forme"),
     ("no axis: the form is a point", "aucun axe : la forme est un point"),
     ("at least 1 pole along every axis", "au moins 1 pôle le long de chaque axe"),
     ("at least 1 coordinate", "au moins 1 coordonnée"),

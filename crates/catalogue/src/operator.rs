@@ -39,6 +39,8 @@ pub enum Group {
     Fundamental,
     /// Interpolation and immersion.
     Interpolation,
+    /// Deformation and geometry inside forms.
+    Inside,
     /// Poles, weights, orders, pieces.
     Forms,
     /// Elementary functions.
@@ -54,6 +56,7 @@ impl Group {
             Self::Gestures => ("Primitive gestures", "Gestes primitifs"),
             Self::Fundamental => ("Fundamental operators", "Opérateurs fondamentaux"),
             Self::Interpolation => ("Interpolation and immersion", "Interpolation et immersion"),
+            Self::Inside => ("Geometry inside forms", "Géométrie dans les formes"),
             Self::Forms => ("Poles and pieces", "Pôles et morceaux"),
             Self::Numbers => ("Numbers", "Nombres"),
             Self::Lists => ("Lists and conditions", "Listes et conditions"),

@@ -236,6 +236,18 @@ fn frames_are_records_with_names_in_both_languages() {
 }
 
 #[test]
+fn nearest_points_are_records_with_names_in_both_languages() {
+    let parabola = "[(-1, 1), (0, -1), (1, 1)]";
+    assert_eq!(shown(&format!("=PROJECT({parabola}, (0, -1), part=\"point\")")), "(0, 0)");
+    assert_eq!(shown(&format!("=PROJETTE({parabola}, (0, -1), partie=\"paramètres\")")), "[0.5]");
+    assert_eq!(shown(&format!("=PROJETTE({parabola}, (0, 3), partie=\"unique\")")), "FALSE");
+    let several = format!("=PROJECT({parabola}, [(0, -1), (0, -2)], part=\"distance\")");
+    assert_eq!(shown(&several), "[1, 2]");
+    let french = failure(&format!("=PROJETTE({parabola}, (0, 0, 0))"));
+    assert!(french.message(Language::French).contains("dimension 2"), "{french:?}");
+}
+
+#[test]
 fn an_immersion_that_would_take_hours_is_refused() {
     let host = "ELEVATE([[[(0, 0, 0), (0, 0, 1)], [(0, 1, 0), (0, 1, 1)]], \
                 [[(1, 0, 0), (1, 0, 1)], [(1, 1, 0), (1, 1, 1)]]], 28)";

@@ -7,7 +7,7 @@ use pforms_operators::{
 };
 
 use super::lists::entry;
-use super::{AXIS, FORM, Outcome, PLAIN, list_of_numbers};
+use super::{AXIS, FORM, Outcome, PART, PLAIN, list_of_numbers};
 use crate::cost::{multipliable, workable};
 use crate::operator::{Group, call};
 use crate::parameter::Fallback;
@@ -29,13 +29,6 @@ const PARAMETERS: Parameter = Parameter::new(
 )
 .variadic()
 .unit("parameter", "paramètre");
-
-const PART: Parameter = Parameter::new(
-    Takes::Text,
-    words("part", "partie"),
-    words("The name of one entry.", "Le nom d'une entrée."),
-)
-.or_absent("all of it", "le tout");
 
 pub(super) static ENTRIES: &[Operator] = &[
     Operator {

@@ -14,6 +14,7 @@ mod interpolating;
 mod lists;
 mod numbers;
 mod pieces;
+mod projecting;
 mod windows;
 
 use pforms_kernel::Form;
@@ -33,6 +34,7 @@ pub(crate) fn all() -> Vec<Operator> {
         framing::ENTRIES,
         interpolating::ENTRIES,
         immersing::ENTRIES,
+        projecting::ENTRIES,
         forms::ENTRIES,
         pieces::ENTRIES,
         &numbers,
@@ -63,6 +65,14 @@ const T: Parameter = Parameter::new(
     words("The parameter; 0 to 1 is the usual window.", "Le paramètre ; de 0 à 1 d'ordinaire."),
 )
 .unit("parameter", "paramètre");
+
+/// One entry of a record.
+const PART: Parameter = Parameter::new(
+    Takes::Text,
+    words("part", "partie"),
+    words("The name of one entry.", "Le nom d'une entrée."),
+)
+.or_absent("all of it", "le tout");
 
 /// A text that chooses what an operator gives.
 const fn part(default: &'static str, choices: &'static [Words]) -> Parameter {
