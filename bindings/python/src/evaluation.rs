@@ -175,7 +175,7 @@ impl PyForm {
     /// Parameters
     /// ----------
     /// *parameters : array_like
-    ///     One for each axis; they broadcast.
+    ///     One for each axis; they broadcast. The columns of a table are ``*table.T``, read in place.
     /// derivative : int or tuple of int, optional
     ///     Order of the partial derivative along each axis, exact, rational forms too.
     /// out : ndarray, optional

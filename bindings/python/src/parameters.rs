@@ -50,8 +50,13 @@ impl<'py> Parameters<'py> {
     }
 
     /// The parameters of a grid, if each of several varies along axes of its own.
+    ///
+    /// A single one that varies makes a grid too if it is the last, along which grids are quick.
     pub(crate) fn grid(&self) -> Option<Vec<Cow<'_, [f64]>>> {
-        let several = self.lists.len() > 1 && self.count() > 1;
+        let vary = |list: &Given| list.shape().iter().any(|count| *count != 1);
+        let varying = self.lists.iter().filter(|list| vary(list)).count();
+        let last = matches!(self.lists.last(), Some(list @ Given::Dense(_)) if vary(list));
+        let several = varying > 1 || (last && self.lists.len() > 1);
         (several && self.is_grid()).then(|| self.lists.iter().map(Given::values).collect())
     }
 
