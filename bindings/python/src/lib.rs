@@ -25,6 +25,7 @@ mod parameters;
 mod piecewise;
 mod points;
 mod projecting;
+mod rows;
 mod sampling;
 mod settings;
 mod sheet;

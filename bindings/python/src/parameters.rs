@@ -12,7 +12,8 @@ use smallvec::{SmallVec, smallvec};
 
 use crate::arrays::{Numbers, Shape};
 use crate::errors::raised;
-use crate::points::{Points, Row};
+use crate::points::Points;
+use crate::rows::Row;
 
 /// One array for each parameter, and the shape they have together.
 pub(crate) struct Parameters<'py> {

@@ -3,10 +3,11 @@
 use std::borrow::Cow;
 use std::ops::Range;
 
-use numpy::ndarray::{ArrayView1, ArrayViewD, ArrayViewMut1, Axis, Ix1, Slice};
 use pforms_kernel::Result;
 use pforms_kernel::threads::fill_parts;
 use smallvec::SmallVec;
+
+use crate::rows::Row;
 
 /// Most points in a block: their parameters stay in the cache.
 const BLOCK: usize = 1 << 14;
@@ -21,54 +22,6 @@ const LANES: usize = 64;
 pub(crate) struct Points<'a> {
     rows: SmallVec<[Row<'a>; 4]>,
     count: usize,
-}
-
-/// The values of one parameter.
-pub(crate) enum Row<'a> {
-    Same(f64),
-    Slice(Cow<'a, [f64]>),
-    /// At equal steps in somebody's array, such as a column of a table.
-    Strided(ArrayView1<'a, f64>),
-}
-
-impl<'a> Row<'a> {
-    /// The numbers of an array, repeated along the axes that it lacks in a shape.
-    pub(crate) fn spread(array: &ArrayViewD<'a, f64>, shape: &[usize]) -> Self {
-        if let (1, Some(number)) = (array.len(), array.first()) {
-            return Self::Same(*number);
-        }
-        let Some(wide) = array.broadcast(shape) else { return Self::Slice(Cow::default()) };
-        if wide.len() == array.len()
-            && let Some(line) = in_line(array.clone())
-        {
-            return Self::Strided(line);
-        }
-        Self::Slice(wide.rows().into_iter().flatten().copied().collect())
-    }
-
-    /// Copies the values of a range of points.
-    fn gather(&self, range: Range<usize>, copy: &mut [f64]) {
-        match self {
-            Self::Same(number) => copy.fill(*number),
-            Self::Slice(values) => copy.copy_from_slice(&values[range]),
-            Self::Strided(line) => {
-                ArrayViewMut1::from(copy).assign(&line.slice_axis(Axis(0), Slice::from(range)));
-            }
-        }
-    }
-}
-
-/// The numbers of an array as a line, if they lie at equal steps.
-fn in_line(mut array: ArrayViewD<f64>) -> Option<ArrayView1<f64>> {
-    let last = array.ndim().checked_sub(1)?;
-    let merged = (0..last).rev().all(|axis| array.merge_axes(Axis(axis), Axis(last)));
-    if !merged || array.is_empty() {
-        return None;
-    }
-    while array.ndim() > 1 {
-        array = array.index_axis_move(Axis(0), 0);
-    }
-    array.into_dimensionality::<Ix1>().ok()
 }
 
 impl<'a> Points<'a> {

@@ -112,6 +112,32 @@ def test_tables_have_any_shape(make, rng, shape):
     np.testing.assert_array_equal(out, expected)
 
 
+@pytest.mark.parametrize(
+    ("u", "v"),
+    [
+        ((5, 70), (70,)),
+        ((5, 70), (5, 1)),
+        ((3, 5, 70), (5, 1)),
+        ((3, 5, 70), (3, 1, 70)),
+        ((3, 5, 70), (1, 1, 70)),
+        ((3, 1, 70), (1, 5, 70)),
+        ((200, 70), (70,)),
+        ((0, 70), (70,)),
+    ],
+)
+def test_arrays_repeat_along_the_axes_they_lack(make, rng, u, v):
+    form = make(3, 4)
+    u, v = rng.uniform(0, 1, u), rng.uniform(0, 1, v)
+    U, V = (np.ascontiguousarray(array) for array in np.broadcast_arrays(u, v))
+    # Not quite grids: some of the parameters differ from all others.
+    np.testing.assert_allclose(form(u, v), form(U, V), rtol=1e-13)
+    for given in (np.asfortranarray(u), u[::-1][::-1], np.repeat(u, 2, axis=-1)[..., ::2]):
+        np.testing.assert_allclose(form(given, v), form(U, V), rtol=1e-13)
+        np.testing.assert_allclose(form(v, given), form(V, U), rtol=1e-13)
+    np.testing.assert_array_equal(form(u, V), form(U, V))
+    np.testing.assert_array_equal(form(U, v), form(U, V))
+
+
 def test_parameters_that_are_the_result_are_refused(make):
     table = np.zeros((5, 2))
     with pytest.raises(pf.ShapeError, match="one of the arguments"):
