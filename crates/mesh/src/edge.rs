@@ -2,6 +2,7 @@
 
 use pforms_kernel::{Form, Result};
 
+use crate::adaptive::net::point_at;
 use crate::space::{project, quadruples, tensor};
 use crate::vector::{Vec3, norm, subtract};
 
@@ -56,6 +57,20 @@ impl Edge {
             points.reverse();
         }
         Ok(points)
+    }
+
+    /// Does the patch run against the direction both neighbours agree on?
+    pub(crate) fn is_reversed(&self) -> bool {
+        self.reversed
+    }
+
+    /// The points at these parameters, in the direction both neighbours agree on.
+    pub(crate) fn points_at(&self, ticks: &[f64]) -> Vec<Vec3> {
+        if let Some(point) = self.single_point() {
+            return vec![point; ticks.len()];
+        }
+        let mut basis = Vec::new();
+        ticks.iter().map(|t| point_at(&self.poles, *t, &mut basis)).collect()
     }
 
     /// The point an edge has collapsed to, if it has.

@@ -20,6 +20,7 @@
 //! # Ok::<(), pforms_kernel::Error>(())
 //! ```
 
+mod adaptive;
 mod cloud;
 mod curve;
 mod deviation;

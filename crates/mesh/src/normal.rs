@@ -2,6 +2,7 @@
 
 use pforms_kernel::{Form, Result};
 
+use crate::adaptive::net::{Net, Quadruple, bernstein_slopes};
 use crate::series::Line;
 use crate::space::{centred, project, quadruples, tensor};
 use crate::vector::{Vec3, add, cross, norm, perpendicular, scale, subtract, unit};
@@ -62,6 +63,38 @@ impl Surface {
         Ok(Grid { positions, normals })
     }
 
+    /// Unit normals at scattered parameters, the axes of the surface exchanged if `swapped`.
+    ///
+    /// Parameters of one row one after another share its contraction.
+    pub(crate) fn normals(&self, parameters: &[[f64; 2]], swapped: bool) -> Result<Vec<Vec3>> {
+        let net = Net::of(&self.centred, swapped);
+        let mut rows = [const { Vec::new() }; 2];
+        let mut lines = [const { Vec::new() }; 2];
+        let mut last = f64::NAN;
+        let mut normals = Vec::with_capacity(parameters.len());
+        for &[u, v] in parameters {
+            if u != last {
+                bernstein_slopes(net.rows - 1, u, &mut rows);
+                for (line, row) in lines.iter_mut().zip(&rows) {
+                    net.contracted(row, line);
+                }
+                last = u;
+            }
+            bernstein_slopes(net.columns - 1, v, &mut rows);
+            let [point, dv] = [0, 1].map(|order: usize| sum(&rows[order], &lines[0]));
+            let du = sum(&rows[0], &lines[1]);
+            let raw = if swapped { normal(&point, &dv, &du) } else { normal(&point, &du, &dv) };
+            let length = norm(raw);
+            normals.push(if length > self.threshold {
+                scale(1.0 / length, raw)
+            } else {
+                let [u, v] = if swapped { [v, u] } else { [u, v] };
+                self.limit(u, v)?
+            });
+        }
+        Ok(normals)
+    }
+
     /// The limit of the unit normal on the way out from inside the window.
     ///
     /// First straight inwards, then along each axis and both diagonals; a surface that is nowhere
@@ -84,6 +117,15 @@ impl Surface {
         let tangent = slopes.iter().flatten().find_map(|term| unit(*term));
         Ok(tangent.map_or([0.0, 0.0, 1.0], perpendicular))
     }
+}
+
+/// `Σ row · pole`.
+fn sum(row: &[f64], poles: &[Quadruple]) -> Quadruple {
+    let mut sum = [0.0; 4];
+    for (factor, pole) in row.iter().zip(poles) {
+        sum = std::array::from_fn(|k| sum[k] + factor * pole[k]);
+    }
+    sum
 }
 
 /// The direction from the border of `[0, 1]` inwards; 0 inside.

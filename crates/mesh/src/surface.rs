@@ -40,6 +40,9 @@ pub fn surface(form: &Form, sampling: &Sampling) -> Result<Triangles> {
 ///
 /// Errors: those of [`surface`].
 pub fn surfaces(forms: &[Form], sampling: &Sampling) -> Result<Vec<Triangles>> {
+    if let Sampling::Tolerance(tolerance) = sampling {
+        return crate::adaptive::within(forms, *tolerance);
+    }
     let patches: Vec<Patch> =
         forms.iter().map(|form| Patch::new(form, sampling)).collect::<Result<_>>()?;
     let samples = patches.iter().map(|patch| patch.segments.map(|count| count + 1));

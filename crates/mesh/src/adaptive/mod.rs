@@ -1,0 +1,214 @@
+//! Patches to as few triangles as keep within a tolerance, proven, without cracks.
+//!
+//! Densities are guessed from the curvature, the patches laid out, every triangle is proven to lie
+//! near enough or asks for more, and what has to change is laid out again.
+
+mod bound;
+mod field;
+mod layout;
+pub(crate) mod net;
+
+use std::collections::HashMap;
+
+use pforms_kernel::{Error, Form, Result};
+
+use crate::Triangles;
+use crate::edge::{Edge, Key};
+use crate::normal::Surface;
+use crate::pieces::{ball, finite_pieces};
+use crate::require_room;
+use crate::space::{embed, require_axes};
+use crate::vector::Vec3;
+use field::{CELLS, Field, Profile, spread, total};
+use layout::{Border, Draft, layout};
+use net::{Net, point_at};
+
+/// Rounds after which densities grow everywhere, not only where a triangle asks for it.
+const PATIENCE: usize = 8;
+
+/// Meshes patches so that every point of them lies within `tolerance` of its mesh.
+pub(crate) fn within(forms: &[Form], tolerance: f64) -> Result<Vec<Triangles>> {
+    if !(tolerance > 0.0 && tolerance.is_finite()) {
+        return Err(Error::domain("tolerance", tolerance, "a positive length"));
+    }
+    let mut lines = Vec::new();
+    let mut known = HashMap::new();
+    let mut patches: Vec<Patch> = forms
+        .iter()
+        .map(|form| Patch::new(form, tolerance, &mut lines, &mut known))
+        .collect::<Result<_>>()?;
+    for round in 0.. {
+        spread_lines(&mut lines, &patches)?;
+        let mut done = true;
+        for patch in &mut patches {
+            done &= patch.improve(&lines, tolerance, round)?;
+        }
+        if done {
+            break;
+        }
+    }
+    patches.iter().map(Patch::mesh).collect()
+}
+
+/// An edge that patches share, with its samples in its own direction.
+struct Line {
+    edge: Edge,
+    profile: Profile,
+    least: usize,
+    ticks: Vec<f64>,
+    points: Vec<Vec3>,
+    surplus: f64,
+    /// Whether the last round changed it.
+    changed: bool,
+}
+
+/// A patch whose rows run along its second axis, or along its first if `swapped`.
+struct Patch {
+    form: Form,
+    net: Net,
+    swapped: bool,
+    field: Field,
+    /// The lines of `u = 0`, `u = 1`, `v = 0`, `v = 1`, and whether the patch runs against them.
+    sides: [(usize, bool); 4],
+    draft: Option<Draft>,
+}
+
+impl Patch {
+    fn new(
+        form: &Form,
+        tolerance: f64,
+        lines: &mut Vec<Line>,
+        known: &mut HashMap<Key, usize>,
+    ) -> Result<Self> {
+        require_axes(form, 2, "a surface: two axes")?;
+        let form = embed(form)?;
+        let mut net = Net::of(&form, false);
+        if net.poles.iter().any(|pole| pole[3] <= 0.0) {
+            finite_pieces(&form)?;
+        }
+        let edges = [(0, false), (0, true), (1, false), (1, true)]
+            .map(|(fixed, high)| Edge::of(&form, fixed, high));
+        let collapsed = [0, 1, 2, 3].map(|side: usize| edges[side].single_point().is_some());
+        let mut field = Field::of(&net, tolerance);
+        let across = collapsed[2] || collapsed[3];
+        let mut swapped = across && !(collapsed[0] || collapsed[1]);
+        if !across && !collapsed[0] && !collapsed[1] {
+            swapped = false;
+        }
+        if swapped {
+            net = Net::of(&form, true);
+            field = field.transposed();
+        }
+        let order = if swapped { [2, 3, 0, 1] } else { [0, 1, 2, 3] };
+        let sides = order.map(|side: usize| {
+            let edge = &edges[side];
+            let line = *known.entry(edge.key()).or_insert_with(|| {
+                lines.push(Line::new(edge.clone()));
+                lines.len() - 1
+            });
+            // A fan takes the first segment of the edges next to it.
+            let fans = collapsed.iter().filter(|collapsed| **collapsed).count();
+            let next = if side < 2 { collapsed[2] || collapsed[3] } else { collapsed[0] || collapsed[1] };
+            if next {
+                lines[line].least = lines[line].least.max(fans + 1);
+            }
+            (line, edge.is_reversed())
+        });
+        Ok(Self { form, net, swapped, field, sides, draft: None })
+    }
+
+    /// Lays the patch out unless nothing has changed; tells whether it is near enough.
+    fn improve(&mut self, lines: &[Line], tolerance: f64, round: usize) -> Result<bool> {
+        let near = |draft: &Draft| draft.worst <= 1.0;
+        if round > 1
+            && self.draft.as_ref().is_some_and(near)
+            && self.sides.iter().all(|(line, _)| !lines[*line].changed)
+        {
+            return Ok(true);
+        }
+        let borders = self.sides.map(|(line, reversed)| {
+            let line = &lines[line];
+            Border {
+                ticks: &line.ticks,
+                points: &line.points,
+                reversed,
+                collapsed: line.edge.single_point().is_some(),
+                surplus: line.surplus,
+            }
+        });
+        let coarser = round == 0;
+        let draft = layout(&self.net, &self.field, &borders, tolerance, coarser)?;
+        let done = near(&draft) && !coarser;
+        if !done {
+            draft.correct(&mut self.field, coarser);
+            if round > PATIENCE {
+                self.field.profiles().flatten().for_each(|density| *density *= 1.2);
+            }
+        }
+        self.draft = Some(draft);
+        Ok(done)
+    }
+
+    fn mesh(&self) -> Result<Triangles> {
+        let Some(draft) = &self.draft else { return Ok(Triangles::default()) };
+        let (centre, radius) = ball(&finite_pieces(&self.form)?);
+        let surface = Surface::new(&self.form, centre, radius)?;
+        let turned = |[a, b, c]: [u32; 3]| if self.swapped { [b, a, c] } else { [a, b, c] };
+        Ok(Triangles {
+            positions: draft.places.clone(),
+            normals: surface.normals(&draft.parameters, self.swapped)?,
+            indices: draft.triangles.iter().map(|corners| turned(*corners)).collect(),
+        })
+    }
+}
+
+impl Line {
+    fn new(edge: Edge) -> Self {
+        Self {
+            edge,
+            profile: [f64::NAN; CELLS],
+            least: 1,
+            ticks: Vec::new(),
+            points: Vec::new(),
+            surplus: 1.0,
+            changed: true,
+        }
+    }
+
+    fn sample(&mut self, profile: Profile) -> Result<()> {
+        self.changed = self.profile != profile;
+        if !self.changed {
+            return Ok(());
+        }
+        self.profile = profile;
+        let asked = total(&profile);
+        let count = (asked.ceil() as usize).max(self.least);
+        require_room("the mesh", &[count])?;
+        self.surplus = count as f64 / asked.max(f64::MIN_POSITIVE);
+        let mut inner = Vec::new();
+        spread(&profile, [0.0, 1.0], count, &mut inner);
+        self.ticks.clear();
+        self.ticks.push(0.0);
+        self.ticks.extend(inner);
+        self.ticks.push(1.0);
+        self.points = self.edge.points_at(&self.ticks);
+        Ok(())
+    }
+}
+
+/// Samples every line as densely as the densest patch next to it asks for.
+fn spread_lines(lines: &mut [Line], patches: &[Patch]) -> Result<()> {
+    let mut profiles = vec![[0.0_f64; CELLS]; lines.len()];
+    for patch in patches {
+        for (side, (line, reversed)) in patch.sides.iter().enumerate() {
+            let mut border = patch.field.borders[side];
+            if *reversed {
+                border.reverse();
+            }
+            for (profile, density) in profiles[*line].iter_mut().zip(border) {
+                *profile = profile.max(density);
+            }
+        }
+    }
+    lines.iter_mut().zip(profiles).try_for_each(|(line, profile)| line.sample(profile))
+}
