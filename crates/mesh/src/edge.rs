@@ -2,8 +2,7 @@
 
 use pforms_kernel::{Form, Result};
 
-use crate::adaptive::net::point_at;
-use crate::space::{project, quadruples, tensor};
+use crate::space::{project, quadruples};
 use crate::vector::{Vec3, norm, subtract};
 
 /// Poles of an edge count as one point within this many roundings of the largest coordinate.
@@ -42,35 +41,22 @@ impl Edge {
         self.poles.iter().map(|pole| pole.map(f64::to_bits)).collect()
     }
 
-    /// The points at `i / segments`, in the direction of the patch.
-    ///
-    /// An edge whose poles are all one point is that point, whatever the weights.
-    pub(crate) fn points(&self, segments: usize) -> Result<Vec<Vec3>> {
-        if let Some(point) = self.single_point() {
-            return Ok(vec![point; segments + 1]);
-        }
-        let form = Form::from_homogeneous(&[self.poles.len()], 3, self.poles.concat())?;
-        let parameters = crate::space::ticks(segments);
-        let values = tensor(&form, &[&parameters], None)?;
-        let mut points: Vec<Vec3> = quadruples(&values).iter().map(project).collect();
-        if self.reversed {
-            points.reverse();
-        }
-        Ok(points)
-    }
-
     /// Does the patch run against the direction both neighbours agree on?
     pub(crate) fn is_reversed(&self) -> bool {
         self.reversed
     }
 
     /// The points at these parameters, in the direction both neighbours agree on.
-    pub(crate) fn points_at(&self, ticks: &[f64]) -> Vec<Vec3> {
+    ///
+    /// An edge whose poles are all one point is that point, whatever the weights.
+    pub(crate) fn points(&self, ticks: &[f64]) -> Result<Vec<Vec3>> {
         if let Some(point) = self.single_point() {
-            return vec![point; ticks.len()];
+            return Ok(vec![point; ticks.len()]);
         }
-        let mut basis = Vec::new();
-        ticks.iter().map(|t| point_at(&self.poles, *t, &mut basis)).collect()
+        let form = Form::from_homogeneous(&[self.poles.len()], 3, self.poles.concat())?;
+        let mut points = vec![[0.0; 3]; ticks.len()];
+        form.grid_into(&[ticks], points.as_flattened_mut())?;
+        Ok(points)
     }
 
     /// The point an edge has collapsed to, if it has.

@@ -87,6 +87,16 @@ pub(crate) fn finite_pieces(form: &Form) -> Result<Vec<Piece>> {
     Ok(pieces(form, false)?.finite)
 }
 
+/// Complains unless a form is finite all over its window.
+///
+/// Errors: as [`finite_pieces`].
+pub(crate) fn require_finite(form: &Form) -> Result<()> {
+    if quadruples(form).iter().all(|pole| pole[3] > 0.0) {
+        return Ok(());
+    }
+    finite_pieces(form).map(|_| ())
+}
+
 /// The same pieces, halved further along every axis as often as `times`: poles of smaller pieces
 /// lie closer to the form and bound it better.
 pub(crate) fn refined(pieces: Vec<Piece>, times: u32) -> Result<Vec<Piece>> {

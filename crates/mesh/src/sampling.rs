@@ -19,6 +19,9 @@ const REFINEMENT: u32 = 1;
 pub enum Sampling {
     /// Recursion level `r`: `2^r + 1` samples; one for all axes, or one for each.
     Fineness(Vec<u32>),
+    /// So many equal cells; one number for all axes, or one for each. Of a surface, every cell is
+    /// two triangles, those without area too.
+    Segments(Vec<usize>),
     /// The greatest distance between the form and its facets, in the units of the form.
     Tolerance(f64),
 }
@@ -35,14 +38,15 @@ impl Sampling {
     /// With a tolerance, every point of the form lies within it of the facet over its cell, and
     /// the number never falls short; it may be a few times more than needed.
     ///
-    /// Errors: `Shape` when the levels are not one for each axis; `Domain` for a level above 24, a
-    /// tolerance that is not positive, or a weight that vanishes in the window; `Limit`.
+    /// Errors: `Shape` when the levels or counts are not one for each axis; `Domain` for a level above
+    /// 24, a count of 0, a tolerance that is not positive, or a weight that vanishes in the window; `Limit`.
     pub fn segments(&self, form: &Form) -> Result<Vec<usize>> {
         let segments = match self {
             Self::Fineness(levels) => halvings(form, levels)?,
+            Self::Segments(counts) => counted(form, counts)?,
             Self::Tolerance(tolerance) => within(form, *tolerance)?,
         };
-        let counts: Vec<usize> = segments.iter().map(|count| count + 1).collect();
+        let counts: Vec<usize> = segments.iter().map(|count| count.saturating_add(1)).collect();
         require_room("the drawing", &counts)?;
         Ok(segments)
     }
@@ -57,6 +61,17 @@ fn halvings(form: &Form, levels: &[u32]) -> Result<Vec<usize>> {
     }
     form.require_per_axis("fineness", levels)?;
     Ok(levels.iter().map(|level| 1 << level).collect())
+}
+
+fn counted(form: &Form, counts: &[usize]) -> Result<Vec<usize>> {
+    if counts.contains(&0) {
+        return Err(Error::domain("segments", 0, "1 or more"));
+    }
+    if let [one] = counts {
+        return Ok(vec![*one; form.axes()]);
+    }
+    form.require_per_axis("segments", counts)?;
+    Ok(counts.to_vec())
 }
 
 fn within(form: &Form, tolerance: f64) -> Result<Vec<usize>> {

@@ -29,6 +29,7 @@ pub(crate) struct Facet {
 }
 
 /// What is known of the surface over a triangle.
+#[allow(clippy::large_enum_variant, reason = "nearly all are of the large kind")]
 pub(crate) enum Bound {
     /// No point of the surface is farther from the triangle; the parts that the axes have in it.
     Within(f64, [f64; 2]),
@@ -61,7 +62,7 @@ pub(crate) struct Seen {
 /// Infinite while poles in the box have weights that are not positive.
 pub(crate) fn bound(cell: &Net, facet: &Facet, scratch: &mut Vec<Quadruple>) -> Bound {
     let weights = cell.weights();
-    if !(weights[0] > 0.0) {
+    if weights[0] <= 0.0 {
         return Bound::Within(f64::INFINITY, [1.0; 2]);
     }
     let seen = Seen::of(cell, facet, weights, scratch);
@@ -77,12 +78,17 @@ impl Seen {
     ///
     /// A point over the edge `(i, j)` is `λₗ` away from it, and on the line through it from the
     /// third corner the edge reaches over by at most `½·λᵢλⱼ` times its second derivative.
-    fn of(cell: &Net, facet: &Facet, weights: [f64; 2], scratch: &mut Vec<Quadruple>) -> Option<Self> {
+    fn of(
+        cell: &Net,
+        facet: &Facet,
+        weights: [f64; 2],
+        scratch: &mut Vec<Quadruple>,
+    ) -> Option<Self> {
         let places = facet.places;
         let sides = [0, 1, 2].map(|k| subtract(places[(k + 1) % 3], places[k]));
         let normal = cross(sides[0], sides[1]);
         let size = dot(normal, normal);
-        if !(size > 0.0) {
+        if size <= 0.0 {
             return None;
         }
         let across = sides.map(|side| cross(side, normal));
@@ -97,14 +103,15 @@ impl Seen {
         let curvature = Curvature::of(cell, &columns, scratch);
         let edges = [0, 1, 2].map(|k| curvature.along(&facet.at, k, (k + 1) % 3));
         let spread = curvature.spread_sum();
-        let height = (highest(edges.map(|edge| edge[0])) + spread[0] / 8.0) / (size.sqrt() * weights[0]);
+        let height =
+            (highest(edges.map(|edge| edge[0])) + spread[0] / 8.0) / (size.sqrt() * weights[0]);
         let (mut over, mut sliver) = ([0.0; 3], [0.0; 3]);
         for k in 0..3 {
             let edge = [0, 1, 2].map(|edge: usize| edges[edge][k + 1]);
             let own = (-edge[k]).max(0.0) + curvature.spread_along(&facet.at, k)[k + 1];
             over[k] = own / (8.0 * weights[0] * dot(across[k], across[k]).sqrt());
             let others = edge[(k + 1) % 3].abs().max(edge[(k + 2) % 3].abs()) + edge[k].abs() / 4.0;
-            let inside = size * weights[0] - (others + spread[k + 1]) / 2.0;
+            let inside = size * weights[0] - 0.5 * (others + spread[k + 1]);
             sliver[k] = if inside > 0.0 { own / (2.0 * inside) } else { f64::INFINITY };
         }
         let single = (0..3).all(|k| sliver[k] * sliver[(k + 1) % 3] < 1.0);
@@ -112,11 +119,24 @@ impl Seen {
         let shares = [0, 1].map(|axis: usize| {
             let second = curvature.largest(2 * axis);
             std::array::from_fn(|k| {
-                let step = k.checked_sub(1).map_or(1.0, |k| facet.at[(k + 1) % 3][axis] - facet.at[k][axis]);
+                let step = k
+                    .checked_sub(1)
+                    .map_or(1.0, |k| facet.at[(k + 1) % 3][axis] - facet.at[k][axis]);
                 step * step * second[k] / lengths[k]
             })
         });
-        single.then_some(Self { places, normal, across, edges, spread, weights, height, over, sliver, shares })
+        single.then_some(Self {
+            places,
+            normal,
+            across,
+            edges,
+            spread,
+            weights,
+            height,
+            over,
+            sliver,
+            shares,
+        })
     }
 
     /// What either axis has in the distance beside an edge.
@@ -137,7 +157,10 @@ impl Seen {
         let normal = cross(subtract(i, j), subtract(apex, j));
         let sine = norm(cross(normal, self.normal)) / (norm(normal) * norm(self.normal));
         let beside = self.height + sine * self.over[edge];
-        if beside < alone && dot(normal, self.normal) > 0.0 && self.lands(edge, normal, [i, j, l, apex]) {
+        if beside < alone
+            && dot(normal, self.normal) > 0.0
+            && self.lands(edge, normal, [i, j, l, apex])
+        {
             beside
         } else {
             alone
@@ -154,7 +177,7 @@ impl Seen {
             let (edges, spread) = self.towards(*direction, base);
             let [ij, jl, li] = [0, 1, 2].map(|k| edges[(edge + k) % 3].abs());
             let third = dot(*direction, subtract(l, base)).max(0.0) * most;
-            let bulge = (ij + sliver * (jl + li)) / 2.0 + 0.625 * (1.0 + sliver) * spread;
+            let bulge = 0.5 * (ij + sliver * (jl + li)) + 0.625 * (1.0 + sliver) * spread;
             sliver * third + bulge <= size * least
         })
     }
@@ -173,20 +196,27 @@ impl Seen {
         ];
         let directions = [self.normal, a, b];
         let bases = [self.places[0], self.places[0], self.places[1]];
-        let offset: f64 = (0..3).map(|k| factors[k] * dot(directions[k], subtract(base, bases[k]))).sum();
+        let offset: f64 =
+            (0..3).map(|k| factors[k] * dot(directions[k], subtract(base, bases[k]))).sum();
         let rational = self.weights[0] != self.weights[1];
         // The three distances over the edges add up to `−size` times the weight.
         let weight = |of: [f64; 4]| if rational { (of[1] + of[2] + of[3]) / size } else { 0.0 };
-        let edges = self.edges.map(|edge| {
-            (0..3).map(|k| factors[k] * edge[k]).sum::<f64>() + offset * weight(edge)
-        });
-        let spread = (0..3).map(|k| factors[k].abs() * self.spread[k]).sum::<f64>() + (offset * weight(self.spread)).abs();
+        let edges = self
+            .edges
+            .map(|edge| (0..3).map(|k| factors[k] * edge[k]).sum::<f64>() + offset * weight(edge));
+        let spread = (0..3).map(|k| factors[k].abs() * self.spread[k]).sum::<f64>()
+            + (offset * weight(self.spread)).abs();
         (edges, spread)
     }
 }
 
 /// By the distance between points of the surface and of the triangle at the same parameters.
-fn at_same_parameters(cell: &Net, facet: &Facet, least: f64, scratch: &mut Vec<Quadruple>) -> Bound {
+fn at_same_parameters(
+    cell: &Net,
+    facet: &Facet,
+    least: f64,
+    scratch: &mut Vec<Quadruple>,
+) -> Bound {
     let places = facet.places;
     let [x, y, z] = places[0];
     let columns =
@@ -241,7 +271,9 @@ impl Curvature {
         let [n, m] = [rows as f64 - 1.0, width as f64 - 1.0];
         let factors = [n * (n - 1.0), n * m, m * (m - 1.0)];
         let part = |k: usize, of: fn(&Range, usize) -> f64| {
-            std::array::from_fn(|l| if factors[k] > 0.0 { factors[k] * of(&ranges[k], l) } else { 0.0 })
+            std::array::from_fn(
+                |l| if factors[k] > 0.0 { factors[k] * of(&ranges[k], l) } else { 0.0 },
+            )
         };
         Self {
             mean: [0, 1, 2].map(|k| part(k, Range::mean)),
@@ -299,18 +331,18 @@ impl Default for Range {
 impl Range {
     #[inline]
     fn include(&mut self, values: Quadruple) {
-        for k in 0..4 {
-            self.low[k] = if values[k] < self.low[k] { values[k] } else { self.low[k] };
-            self.high[k] = if values[k] > self.high[k] { values[k] } else { self.high[k] };
+        for ((low, high), value) in self.low.iter_mut().zip(&mut self.high).zip(values) {
+            *low = if value < *low { value } else { *low };
+            *high = if value > *high { value } else { *high };
         }
     }
 
     fn mean(&self, k: usize) -> f64 {
-        (self.low[k] + self.high[k]) / 2.0
+        0.5 * (self.low[k] + self.high[k])
     }
 
     fn spread(&self, k: usize) -> f64 {
-        (self.high[k] - self.low[k]) / 2.0
+        0.5 * (self.high[k] - self.low[k])
     }
 }
 

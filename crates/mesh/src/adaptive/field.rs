@@ -44,7 +44,8 @@ impl Field {
                 [across[i][j], along[j][i]] = densities(&lines, v, &mut rows, tolerance);
             }
         }
-        let densest = |of: &[[f64; NODES]; NODES]| even(of.map(|list| list.into_iter().fold(0.0, f64::max)));
+        let densest =
+            |of: &[[f64; NODES]; NODES]| even(of.map(|list| list.into_iter().fold(0.0, f64::max)));
         let end = |of: &[[f64; NODES]; NODES], k: usize| even(of.map(|list| list[k]));
         Self {
             rows: densest(&across),
@@ -136,9 +137,7 @@ fn densities(
         }
         sum
     };
-    let place = |value: Quadruple, less: Vec3| {
-        subtract([value[0], value[1], value[2]], less)
-    };
+    let place = |value: Quadruple, less: Vec3| subtract([value[0], value[1], value[2]], less);
     let point = sum(0, 0);
     let w = point[3];
     let at = scale(1.0 / w, [point[0], point[1], point[2]]);
@@ -164,10 +163,8 @@ fn densities(
 
 /// The part of a second derivative at right angles to the first.
 fn beside(second: Vec3, first: Vec3) -> f64 {
-    unit(first).map_or_else(
-        || norm(second),
-        |way| norm(subtract(second, scale(dot(second, way), way))),
-    )
+    unit(first)
+        .map_or_else(|| norm(second), |way| norm(subtract(second, scale(dot(second, way), way))))
 }
 
 /// The Bernstein polynomials at `t` and their first two derivatives.

@@ -256,7 +256,8 @@ impl Layout<'_> {
         let asked = integral(profile, range[1]) - integral(profile, range[0]);
         let count = (asked.ceil() as usize).max(1);
         require_room("the mesh", &[count, self.ticks.len() + 1])?;
-        let plain = |first: usize| sides[first..].iter().take(2).all(|side| side.vertices.len() == 2);
+        let plain =
+            |first: usize| sides[first..].iter().take(2).all(|side| side.vertices.len() == 2);
         if count == 1 && plain(2) {
             self.zip(&sides[0], &sides[1], 1, sides[2].source);
             return Ok(());
@@ -332,13 +333,15 @@ impl Layout<'_> {
                     let last = k.checked_sub(1).map(|k| place(links[k].stale));
                     let next = links.get(k + 1).map(|next| place(next.fresh));
                     let beside = |edge: usize, apex: Option<Vec3>| {
-                        let distance = apex
-                            .map_or_else(|| seen.alone(edge), |apex| seen.beside(edge, apex));
+                        let distance =
+                            apex.map_or_else(|| seen.alone(edge), |apex| seen.beside(edge, apex));
                         (distance, edge)
                     };
                     let other = 3 - link.exit;
                     let all = [beside(0, last), beside(link.exit, next), beside(other, None)];
-                    let far = all.into_iter().fold((0.0, 0), |far, one| if one.0 > far.0 { one } else { far });
+                    let far = all
+                        .into_iter()
+                        .fold((0.0, 0), |far, one| if one.0 > far.0 { one } else { far });
                     let off = far.0 / self.tolerance;
                     (off, shared(off.min(TELLING), seen.shares(far.1)))
                 }

@@ -6,7 +6,7 @@
 mod bound;
 mod field;
 mod layout;
-pub(crate) mod net;
+mod net;
 
 use std::collections::HashMap;
 
@@ -14,20 +14,20 @@ use pforms_kernel::{Error, Form, Result};
 
 use crate::Triangles;
 use crate::edge::{Edge, Key};
-use crate::normal::Surface;
-use crate::pieces::{ball, finite_pieces};
+use crate::pieces::require_finite;
 use crate::require_room;
+use crate::sample::normals_at;
 use crate::space::{embed, require_axes};
 use crate::vector::Vec3;
 use field::{CELLS, Field, Profile, spread, total};
 use layout::{Border, Draft, layout};
-use net::{Net, point_at};
+use net::Net;
 
 /// Rounds after which densities grow everywhere, not only where a triangle asks for it.
 const PATIENCE: usize = 8;
 
 /// Meshes patches so that every point of them lies within `tolerance` of its mesh.
-pub(crate) fn within(forms: &[Form], tolerance: f64) -> Result<Vec<Triangles>> {
+pub(crate) fn within(forms: &[Form], tolerance: f64, normals: bool) -> Result<Vec<Triangles>> {
     if !(tolerance > 0.0 && tolerance.is_finite()) {
         return Err(Error::domain("tolerance", tolerance, "a positive length"));
     }
@@ -47,7 +47,7 @@ pub(crate) fn within(forms: &[Form], tolerance: f64) -> Result<Vec<Triangles>> {
             break;
         }
     }
-    patches.iter().map(Patch::mesh).collect()
+    patches.iter().map(|patch| patch.mesh(normals)).collect()
 }
 
 /// An edge that patches share, with its samples in its own direction.
@@ -83,9 +83,7 @@ impl Patch {
         require_axes(form, 2, "a surface: two axes")?;
         let form = embed(form)?;
         let mut net = Net::of(&form, false);
-        if net.poles.iter().any(|pole| pole[3] <= 0.0) {
-            finite_pieces(&form)?;
-        }
+        require_finite(&form)?;
         let edges = [(0, false), (0, true), (1, false), (1, true)]
             .map(|(fixed, high)| Edge::of(&form, fixed, high));
         let collapsed = [0, 1, 2, 3].map(|side: usize| edges[side].single_point().is_some());
@@ -108,7 +106,8 @@ impl Patch {
             });
             // A fan takes the first segment of the edges next to it.
             let fans = collapsed.iter().filter(|collapsed| **collapsed).count();
-            let next = if side < 2 { collapsed[2] || collapsed[3] } else { collapsed[0] || collapsed[1] };
+            let next =
+                if side < 2 { collapsed[2] || collapsed[3] } else { collapsed[0] || collapsed[1] };
             if next {
                 lines[line].least = lines[line].least.max(fans + 1);
             }
@@ -149,16 +148,26 @@ impl Patch {
         Ok(done)
     }
 
-    fn mesh(&self) -> Result<Triangles> {
+    fn mesh(&self, normals: bool) -> Result<Triangles> {
         let Some(draft) = &self.draft else { return Ok(Triangles::default()) };
-        let (centre, radius) = ball(&finite_pieces(&self.form)?);
-        let surface = Surface::new(&self.form, centre, radius)?;
-        let turned = |[a, b, c]: [u32; 3]| if self.swapped { [b, a, c] } else { [a, b, c] };
-        Ok(Triangles {
+        let mut mesh = Triangles {
             positions: draft.places.clone(),
-            normals: surface.normals(&draft.parameters, self.swapped)?,
-            indices: draft.triangles.iter().map(|corners| turned(*corners)).collect(),
-        })
+            normals: Vec::new(),
+            indices: draft.triangles.clone(),
+        };
+        let mut parameters = draft.parameters.clone();
+        if self.swapped {
+            for at in &mut parameters {
+                at.swap(0, 1);
+            }
+            for corners in &mut mesh.indices {
+                corners.swap(0, 1);
+            }
+        }
+        if normals {
+            mesh.normals = normals_at(&self.form, &parameters)?;
+        }
+        Ok(mesh)
     }
 }
 
@@ -191,7 +200,7 @@ impl Line {
         self.ticks.push(0.0);
         self.ticks.extend(inner);
         self.ticks.push(1.0);
-        self.points = self.edge.points_at(&self.ticks);
+        self.points = self.edge.points(&self.ticks)?;
         Ok(())
     }
 }

@@ -129,27 +129,6 @@ pub(crate) fn bernstein(degree: usize, t: f64, row: &mut Vec<f64>) {
     }
 }
 
-/// The same and their derivatives.
-pub(crate) fn bernstein_slopes(degree: usize, t: f64, rows: &mut [Vec<f64>; 2]) {
-    let [values, slopes] = rows;
-    bernstein(degree.saturating_sub(1), t, values);
-    slopes.clear();
-    slopes.extend_from_slice(values);
-    if degree == 0 {
-        slopes[0] = 0.0;
-        return;
-    }
-    let (mut left, mut below) = (0.0, 0.0);
-    for (value, slope) in values.iter_mut().zip(slopes.iter_mut()) {
-        let here = *value;
-        (*value, left) = ((1.0 - t) * here + left, t * here);
-        *slope = degree as f64 * (below - here);
-        below = here;
-    }
-    values.push(left);
-    slopes.push(degree as f64 * below);
-}
-
 /// `here = (1 − t)·here + t·next`.
 #[inline]
 fn blend(here: &mut [Quadruple], next: &[Quadruple], t: f64) {
