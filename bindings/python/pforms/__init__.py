@@ -36,6 +36,7 @@ from pforms._pforms import (
     set_cap,
     set_threads,
     stack,
+    tessellate,
     threads,
     tile,
 )
@@ -50,7 +51,7 @@ from pforms.errors import (
     ShapeError,
 )
 from pforms.files import draw, load, save
-from pforms.records import Fit, Frame, Projection
+from pforms.records import Fit, Frame, Mesh, Polyline, Projection
 
 binormal_form = Form.binormal_form
 blossom = Form.blossom
@@ -88,8 +89,10 @@ __all__ = [
     "Frame",
     "Immersed",
     "LimitError",
+    "Mesh",
     "PformsError",
     "Piecewise",
+    "Polyline",
     "Projection",
     "ShapeError",
     "Sheet",
@@ -135,6 +138,7 @@ __all__ = [
     "sub",
     "subdivide",
     "tangent_form",
+    "tessellate",
     "threads",
     "tile",
     "transpose",

@@ -7,7 +7,7 @@ from typing import Any, Final, Literal, TypeAlias, final, overload
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pforms.records import Fit, Frame, Projection
+from pforms.records import Fit, Frame, Mesh, Polyline, Projection
 
 _Array: TypeAlias = NDArray[np.float64]
 _Number: TypeAlias = float | Fraction | np.floating[Any] | np.integer[Any]
@@ -42,6 +42,7 @@ __all__ = [
     "set_cap",
     "set_threads",
     "stack",
+    "tessellate",
     "threads",
     "tile",
 ]
@@ -248,6 +249,36 @@ def grid(
     normals: Literal[True],
     out: tuple[_Array, _Array] | None = None,
 ) -> tuple[_Array, _Array]: ...
+@overload
+def tessellate(
+    forms: Form,
+    *,
+    tolerance: _Number | None = None,
+    segments: _WholePerAxis | None = None,
+    fineness: _WholePerAxis | None = None,
+    normals: bool = True,
+    joined: Literal[False] = False,
+) -> Mesh | Polyline: ...
+@overload
+def tessellate(
+    forms: Iterable[Form],
+    *,
+    tolerance: _Number | None = None,
+    segments: _WholePerAxis | None = None,
+    fineness: _WholePerAxis | None = None,
+    normals: bool = True,
+    joined: Literal[False] = False,
+) -> list[Mesh | Polyline]: ...
+@overload
+def tessellate(
+    forms: Form | Iterable[Form],
+    *,
+    tolerance: _Number | None = None,
+    segments: _WholePerAxis | None = None,
+    fineness: _WholePerAxis | None = None,
+    normals: bool = True,
+    joined: Literal[True],
+) -> Mesh: ...
 def midpoint(*forms: Form | Iterable[Form]) -> Form: ...
 def stack(*forms: Form | Iterable[Form]) -> Form: ...
 def combine(k: Sequence[_Number] | _Array, *forms: Form | Iterable[Form]) -> Form: ...

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, NamedTuple
 if TYPE_CHECKING:
     from collections.abc import Iterator, KeysView
 
-    from numpy import bool_, float64
+    from numpy import bool_, float64, int32
     from numpy.typing import NDArray
 
     from pforms._pforms import Form
@@ -29,6 +29,43 @@ class Fit(NamedTuple):
     """Largest distance between a point and the form at its parameters."""
     rms_error: float
     """Root of the mean square of these distances."""
+
+
+class Mesh(NamedTuple):
+    """Triangles that share vertices.
+
+    Seen from where the normals point, the corners of a triangle run counter-clockwise.
+
+    >>> import pforms as pf
+    >>> facet = pf.Form([[(0, 0, 0), (0, 1, 0)], [(1, 0, 0), (1, 1, 0)]])
+    >>> mesh = pf.tessellate(facet, segments=1)
+    >>> mesh.triangles.tolist(), mesh.normals[0].tolist()
+    ([[0, 2, 3], [0, 3, 1]], [0.0, 0.0, 1.0])
+    """
+
+    vertices: NDArray[float64]
+    """Points of the form, shape (n, 3)."""
+    normals: NDArray[float64]
+    """The unit normal at each vertex, shape (n, 3)."""
+    triangles: NDArray[int32]
+    """Three vertices for each triangle, shape (m, 3)."""
+
+
+class Polyline(NamedTuple):
+    """Points of a curve in their order.
+
+    >>> import pforms as pf
+    >>> line = pf.tessellate(pf.Form([(0, 0, 0), (4, 0, 0)]), segments=2)
+    >>> line.vertices[:, 0].tolist(), line.segments.tolist()
+    ([0.0, 2.0, 4.0], [[0, 1], [1, 2]])
+    """
+
+    vertices: NDArray[float64]
+    """Points of the curve, shape (n, 3)."""
+    tangents: NDArray[float64]
+    """The direction of the curve at each, shape (n, 3)."""
+    segments: NDArray[int32]
+    """Two vertices for each segment, shape (m, 2): where a curve passes through infinity it is cut."""
 
 
 class Frame:

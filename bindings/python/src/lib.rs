@@ -30,6 +30,7 @@ mod sampling;
 mod settings;
 mod sheet;
 mod slices;
+mod tessellating;
 mod values;
 mod vectors;
 mod view;
@@ -59,6 +60,8 @@ mod _pforms {
     use crate::settings::{cap, set_cap, set_threads, threads};
     #[pymodule_export]
     use crate::sheet::PySheet;
+    #[pymodule_export]
+    use crate::tessellating::tessellate;
 
     /// The version of pforms.
     #[pymodule_export]

@@ -21,7 +21,7 @@ fn the_teapot_has_the_area_it_is_known_for() {
     let forms = teapot();
     assert_eq!(forms.len(), 32);
     assert!(forms.iter().all(|form| form.orders() == [4, 4] && !form.is_rational()));
-    let meshes = surfaces(&forms, &Sampling::Tolerance(0.002)).unwrap();
+    let meshes = surfaces(&forms, &Sampling::Tolerance(0.0004)).unwrap();
     let area: f64 = meshes.iter().map(Triangles::area).sum();
     assert!((area - 52.884_054_820_4).abs() < 0.05, "{area}");
     assert!(meshes.iter().flat_map(|mesh| mesh.normals.as_flattened()).all(|x| x.is_finite()));

@@ -11,6 +11,8 @@
 //! reaches over its edges in that plane. Points that move along an edge, because the parameter
 //! does not run evenly, cost nothing.
 
+use pforms_kernel::lanes::Job;
+
 use super::net::{Net, Quadruple};
 use crate::vector::{Vec3, cross, dot, norm, subtract};
 
@@ -57,10 +59,31 @@ pub(crate) struct Seen {
     shares: [[f64; 4]; 2],
 }
 
+/// The bound on a triangle, by the widest vectors of the machine.
+pub(crate) struct Proof<'a> {
+    /// The net between the row parameters of the box, and the box's column parameters.
+    pub(crate) strip: &'a Net,
+    pub(crate) columns: [f64; 2],
+    pub(crate) facet: &'a Facet,
+    pub(crate) cell: &'a mut Net,
+    pub(crate) scratch: &'a mut Vec<Quadruple>,
+}
+
+impl Job for Proof<'_> {
+    type Output = Bound;
+
+    #[inline(always)]
+    fn run<const N: usize>(self) -> Bound {
+        self.strip.columns_between(self.columns, self.cell);
+        bound(self.cell, self.facet, self.scratch)
+    }
+}
+
 /// A bound on the distance between any point of the surface over the triangle and the triangle.
 ///
 /// Infinite while poles in the box have weights that are not positive.
-pub(crate) fn bound(cell: &Net, facet: &Facet, scratch: &mut Vec<Quadruple>) -> Bound {
+#[inline(always)]
+fn bound(cell: &Net, facet: &Facet, scratch: &mut Vec<Quadruple>) -> Bound {
     let weights = cell.weights();
     if weights[0] <= 0.0 {
         return Bound::Within(f64::INFINITY, [1.0; 2]);
@@ -78,6 +101,7 @@ impl Seen {
     ///
     /// A point over the edge `(i, j)` is `λₗ` away from it, and on the line through it from the
     /// third corner the edge reaches over by at most `½·λᵢλⱼ` times its second derivative.
+    #[inline(always)]
     fn of(
         cell: &Net,
         facet: &Facet,
@@ -146,7 +170,7 @@ impl Seen {
 
     /// The distance from the triangle itself.
     pub(crate) fn alone(&self, edge: usize) -> f64 {
-        self.height.hypot(self.over[edge])
+        (self.height * self.height + self.over[edge] * self.over[edge]).sqrt()
     }
 
     /// The distance when what reaches over `edge` comes to lie over the neighbour there, whose
@@ -155,12 +179,11 @@ impl Seen {
         let alone = self.alone(edge);
         let [i, j, l] = [0, 1, 2].map(|k| self.places[(edge + k) % 3]);
         let normal = cross(subtract(i, j), subtract(apex, j));
-        let sine = norm(cross(normal, self.normal)) / (norm(normal) * norm(self.normal));
-        let beside = self.height + sine * self.over[edge];
-        if beside < alone
-            && dot(normal, self.normal) > 0.0
-            && self.lands(edge, normal, [i, j, l, apex])
-        {
+        let turned = cross(normal, self.normal);
+        let sizes = dot(normal, normal) * dot(self.normal, self.normal);
+        let beside = self.height + (dot(turned, turned) / sizes).sqrt() * self.over[edge];
+        let ahead = dot(normal, self.normal) > 0.0;
+        if beside < alone && ahead && self.lands(edge, normal, [i, j, l, apex]) {
             beside
         } else {
             alone
@@ -211,6 +234,8 @@ impl Seen {
 }
 
 /// By the distance between points of the surface and of the triangle at the same parameters.
+#[cold]
+#[inline(never)]
 fn at_same_parameters(
     cell: &Net,
     facet: &Facet,
@@ -231,6 +256,7 @@ fn at_same_parameters(
 }
 
 /// The maximum of `½·|λ₀λ₁·a + λ₁λ₂·b + λ₂λ₀·c|` over the triangle.
+#[inline(always)]
 fn highest([a, b, c]: [f64; 3]) -> f64 {
     let mut highest = a.abs().max(b.abs()).max(c.abs()) / 8.0;
     // Inside, the gradient vanishes at barycentric coordinates with these ratios.
@@ -244,6 +270,7 @@ fn highest([a, b, c]: [f64; 3]) -> f64 {
 
 impl Curvature {
     /// Of the functions whose values at a pole are `pole · columns`.
+    #[inline(always)]
     fn of(cell: &Net, columns: &[[f64; 4]; 4], values: &mut Vec<Quadruple>) -> Self {
         let (rows, width, poles) = (cell.rows, cell.columns, &cell.poles);
         let mut ranges = [Range::default(); 3];
@@ -282,6 +309,7 @@ impl Curvature {
     }
 
     /// The second derivative along the edge between two corners, by the means.
+    #[inline(always)]
     fn along(&self, at: &[[f64; 2]; 3], from: usize, to: usize) -> [f64; 4] {
         let [u, v] = [at[to][0] - at[from][0], at[to][1] - at[from][1]];
         let [uu, uv, vv] = &self.mean;
@@ -289,11 +317,13 @@ impl Curvature {
     }
 
     /// The largest second derivatives of one kind.
+    #[inline(always)]
     fn largest(&self, kind: usize) -> [f64; 4] {
         std::array::from_fn(|k| self.mean[kind][k].abs() + self.spread[kind][k])
     }
 
     /// How far the second derivative along that edge may be off.
+    #[inline(always)]
     fn spread_along(&self, at: &[[f64; 2]; 3], from: usize) -> [f64; 4] {
         let to = (from + 1) % 3;
         let [u, v] = [at[to][0] - at[from][0], at[to][1] - at[from][1]].map(f64::abs);
@@ -301,13 +331,14 @@ impl Curvature {
         std::array::from_fn(|k| u * u * uu[k] + 2.0 * u * v * uv[k] + v * v * vv[k])
     }
 
+    #[inline(always)]
     fn spread_sum(&self) -> [f64; 4] {
         let [uu, uv, vv] = &self.spread;
         std::array::from_fn(|k| uu[k] + 2.0 * uv[k] + vv[k])
     }
 }
 
-#[inline]
+#[inline(always)]
 fn seen(pole: &Quadruple, columns: &[[f64; 4]; 4]) -> Quadruple {
     std::array::from_fn(|k| {
         (pole[0] * columns[0][k] + pole[1] * columns[1][k])
@@ -329,7 +360,7 @@ impl Default for Range {
 }
 
 impl Range {
-    #[inline]
+    #[inline(always)]
     fn include(&mut self, values: Quadruple) {
         for ((low, high), value) in self.low.iter_mut().zip(&mut self.high).zip(values) {
             *low = if value < *low { value } else { *low };
@@ -337,10 +368,12 @@ impl Range {
         }
     }
 
+    #[inline(always)]
     fn mean(&self, k: usize) -> f64 {
         0.5 * (self.low[k] + self.high[k])
     }
 
+    #[inline(always)]
     fn spread(&self, k: usize) -> f64 {
         0.5 * (self.high[k] - self.low[k])
     }

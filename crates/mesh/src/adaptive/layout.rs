@@ -5,8 +5,9 @@
 //! to a point is the apex of a fan over a first row that reaches from border to border.
 
 use pforms_kernel::Result;
+use pforms_kernel::lanes::in_lanes;
 
-use super::bound::{Bound, Facet, bound, fan_distance};
+use super::bound::{Bound, Facet, Proof, Seen, fan_distance};
 use super::field::{CELLS, Field, Profile, integral, spread, total};
 use super::net::{Net, Quadruple, point_at};
 use crate::require_room;
@@ -91,7 +92,6 @@ struct Rim {
 
 /// A triangle of a strip, and how it hangs together with its neighbours.
 struct Link {
-    bound: Bound,
     /// Boxes of parameters, along the rows' axis and the columns'.
     ranges: [[f64; 2]; 2],
     /// The corner that the triangle before lacks, and the one that the next lacks.
@@ -119,6 +119,7 @@ struct Layout<'a> {
     ticks: Vec<f64>,
     columns: Source,
     links: Vec<Link>,
+    bounds: Vec<Bound>,
 }
 
 /// Lays out one patch.
@@ -145,6 +146,7 @@ pub(crate) fn layout(
         ticks: Vec::new(),
         columns: Source { profile: COLUMNS, surplus: 1.0 },
         links: Vec::new(),
+        bounds: Vec::new(),
     };
     layout.set_columns()?;
     let mut sides = layout.sides(borders);
@@ -310,51 +312,64 @@ impl Layout<'_> {
             let [a, b] = [low[i], high[j]];
             (i, j) = if step { (i + 1, j) } else { (i, j + 1) };
             let corners = if axis == 1 { [a, b, fresh] } else { [b, a, fresh] };
-            let (bound, ranges) = self.triangle(corners);
             let exit = if step == (axis == 1) { 1 } else { 2 };
             let place = |along| if axis == 1 { [across, along] } else { [along, across] };
             let (sources, beyond) = (place(base.source), beyond.map(place));
-            self.links.push(Link { bound, ranges, fresh, stale, exit, sources, beyond });
+            let ranges = [[0.0; 2]; 2];
+            self.triangle(corners, Link { ranges, fresh, stale, exit, sources, beyond });
         }
         self.judge();
     }
 
     /// Takes note of how far the surface strays from the triangles of a strip.
     fn judge(&mut self) {
-        let links = std::mem::take(&mut self.links);
-        let place = |vertex: u32| self.draft.places[vertex as usize];
-        let mut notes = Vec::with_capacity(links.len());
-        for (k, link) in links.iter().enumerate() {
-            notes.push(match &link.bound {
+        let (links, bounds) = (std::mem::take(&mut self.links), std::mem::take(&mut self.bounds));
+        for (k, (link, bound)) in links.iter().zip(&bounds).enumerate() {
+            let (off, growth) = match bound {
                 Bound::Within(distance, [a, b]) => {
                     (distance / self.tolerance, if a > b { [UNEVEN, 0.0] } else { [0.0, UNEVEN] })
                 }
                 Bound::Seen(seen) => {
-                    let last = k.checked_sub(1).map(|k| place(links[k].stale));
-                    let next = links.get(k + 1).map(|next| place(next.fresh));
-                    let beside = |edge: usize, apex: Option<Vec3>| {
-                        let distance =
-                            apex.map_or_else(|| seen.alone(edge), |apex| seen.beside(edge, apex));
-                        (distance, edge)
-                    };
-                    let other = 3 - link.exit;
-                    let all = [beside(0, last), beside(link.exit, next), beside(other, None)];
-                    let far = all
-                        .into_iter()
-                        .fold((0.0, 0), |far, one| if one.0 > far.0 { one } else { far });
-                    let off = far.0 / self.tolerance;
-                    (off, shared(off.min(TELLING), seen.shares(far.1)))
+                    let last = k.checked_sub(1).map(|k| links[k].stale);
+                    let next = links.get(k + 1).map(|next| next.fresh);
+                    self.off(seen, link.exit, [last, next])
                 }
-            });
-        }
-        for (link, (off, growth)) in links.iter().zip(notes) {
+            };
             self.note(off, growth, link.ranges, link.sources);
             if let Some(sources) = link.beyond {
                 self.note(off, growth, link.ranges, sources);
             }
         }
-        self.links = links;
+        (self.links, self.bounds) = (links, bounds);
         self.links.clear();
+        self.bounds.clear();
+    }
+
+    /// How many tolerances off the surface is at most, and what would mend it; the neighbours over
+    /// edge 0 and the exit are told by their third corners.
+    fn off(&self, seen: &Seen, exit: usize, beside: [Option<u32>; 2]) -> (f64, [f64; 2]) {
+        let mut far = (0.0, 0);
+        for (edge, apex) in [(0, beside[0]), (exit, beside[1]), (3 - exit, None)] {
+            let mut distance = seen.alone(edge);
+            // A neighbour can only help, and need not where all is well.
+            if let Some(apex) = apex
+                && distance > if self.coarser { far.0 } else { self.tolerance.max(far.0) }
+            {
+                distance = seen.beside(edge, self.draft.places[apex as usize]);
+            }
+            if distance > far.0 {
+                far = (distance, edge);
+            }
+        }
+        let off = far.0 / self.tolerance;
+        (
+            off,
+            if off > 1.0 || self.coarser {
+                shared(off.min(TELLING), seen.shares(far.1))
+            } else {
+                [0.0; 2]
+            },
+        )
     }
 
     /// Is the first diagonal shorter, by its parameters, or else in space?
@@ -371,17 +386,23 @@ impl Layout<'_> {
         length(first) < length(second)
     }
 
-    /// Adds a triangle unless two of its corners coincide; how far the surface strays from it.
-    fn triangle(&mut self, corners: [u32; 3]) -> (Bound, [[f64; 2]; 2]) {
+    /// Adds a triangle unless two of its corners coincide, and a bound on how far the surface
+    /// strays from it.
+    fn triangle(&mut self, corners: [u32; 3], link: Link) {
         let places = corners.map(|k| self.draft.places[k as usize]);
         if places[0] != places[1] && places[1] != places[2] && places[2] != places[0] {
             self.draft.triangles.push(corners);
         }
         let at = corners.map(|k| self.at(k));
-        let [rows, columns] = self.restrict(at);
+        let ranges = [0, 1].map(|axis| range(at.map(|at| at[axis])));
+        let [rows, columns] = ranges;
+        self.restrict_rows(rows);
         let local = |t: f64, [a, b]: [f64; 2]| if b > a { (t - a) / (b - a) } else { 0.0 };
         let at = at.map(|[u, v]| [local(u, rows), local(v, columns)]);
-        (bound(&self.cell, &Facet { at, places }, &mut self.scratch), [rows, columns])
+        let facet = Facet { at, places };
+        let (strip, cell, scratch) = (&self.strip.0, &mut self.cell, &mut self.scratch);
+        self.bounds.push(in_lanes(Proof { strip, columns, facet: &facet, cell, scratch }));
+        self.links.push(Link { ranges, ..link });
     }
 
     /// Adds a triangle of a fan between two borders.
@@ -390,25 +411,23 @@ impl Layout<'_> {
         self.draft.triangles.push(corners);
         let at = corners.map(|k| self.at(k));
         // The whole box between the two radii comes to lie over the triangle.
-        let ranges = self.restrict([[at[0][0], at[1][1]], at[1], at[2]]);
+        let rows = range([at[0][0], at[1][0], at[2][0]]);
+        let columns = [at[1][1].min(at[2][1]), at[1][1].max(at[2][1])];
+        self.restrict_rows(rows);
+        self.strip.0.columns_between(columns, &mut self.cell);
+        let ranges = [rows, columns];
         let off = fan_distance(&self.cell, places, &mut self.scratch) / self.tolerance;
         let growth = off.min(TELLING).sqrt();
         self.note(off, [growth; 2], ranges, [borders[0], self.columns]);
         self.note(off, [growth, 0.0], ranges, [borders[1], self.columns]);
     }
 
-    /// Makes `cell` the net on the box round some parameters.
-    fn restrict(&mut self, at: [[f64; 2]; 3]) -> [[f64; 2]; 2] {
-        let [rows, columns] = [0, 1].map(|axis: usize| {
-            let [a, b, c] = at.map(|at| at[axis]);
-            [a.min(b).min(c), a.max(b).max(c)]
-        });
+    /// Makes `strip` the net between two row parameters.
+    fn restrict_rows(&mut self, rows: [f64; 2]) {
         if self.strip.1 != rows {
             self.net.rows_between(rows, &mut self.strip.0);
             self.strip.1 = rows;
         }
-        self.strip.0.columns_between(columns, &mut self.cell);
-        [rows, columns]
     }
 
     /// Asks for other densities in a box of parameters.
@@ -449,4 +468,8 @@ fn shared(off: f64, [a, b]: [f64; 2]) -> [f64; 2] {
     } else {
         both
     }
+}
+
+fn range([a, b, c]: [f64; 3]) -> [f64; 2] {
+    [a.min(b).min(c), a.max(b).max(c)]
 }

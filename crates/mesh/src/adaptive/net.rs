@@ -55,6 +55,7 @@ impl Net {
     }
 
     /// Writes the net of the part with column parameters in `[a, b]`.
+    #[inline(always)]
     pub(crate) fn columns_between(&self, [a, b]: [f64; 2], out: &mut Self) {
         out.clone_from(self);
         let degree = self.columns - 1;
@@ -78,6 +79,7 @@ impl Net {
     }
 
     /// The least and the greatest weight of a pole, between which those of the form lie.
+    #[inline(always)]
     pub(crate) fn weights(&self) -> [f64; 2] {
         self.poles.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], pole| {
             [least.min(pole[3]), most.max(pole[3])]
@@ -137,7 +139,7 @@ fn blend(here: &mut [Quadruple], next: &[Quadruple], t: f64) {
     }
 }
 
-#[inline]
+#[inline(always)]
 fn between(x: Quadruple, y: Quadruple, t: f64) -> Quadruple {
     std::array::from_fn(|k| (1.0 - t) * x[k] + t * y[k])
 }
