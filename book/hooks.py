@@ -34,6 +34,7 @@ CHAPTERS = {
     "python.md": "Python",
     "command-line.md": "Command line",
     "formats.md": "Formats",
+    "tessellating.md": "Tessellating",
     "speed.md": "Speed",
     "decisions": "Decisions",
 }

@@ -21,6 +21,7 @@
 //! ```
 
 mod adaptive;
+mod apex;
 mod cloud;
 mod curve;
 mod deviation;

@@ -8,7 +8,7 @@ use pforms_kernel::{Error, Form, Result};
 use crate::edge::{Edge, Key};
 use crate::pieces::require_finite;
 use crate::room::require_room;
-use crate::sample::{Sample, sample};
+use crate::sample::{Sample, Sampled};
 use crate::space::{embed, quadruples, require_axes, ticks};
 use crate::vector::{Vec3, norm, subtract};
 use crate::{Sampling, Triangles};
@@ -112,17 +112,24 @@ impl Patch {
         let [across, down] = self.segments;
         let every = matches!(sampling, Sampling::Segments(_));
         if [0, 1, 2, 3].map(|side| borders[side].len() - 1) == [down, down, across, across] {
-            self.plain(&borders, normals, every || !collapsed.contains(&true))
+            self.plain(&borders, collapsed, normals, every)
         } else {
-            self.stitched(&borders, normals)
+            self.stitched(&borders, collapsed, normals)
         }
     }
 
     /// One grid, its border points those of the edges; `every` triangle, or those with an area.
-    fn plain(&self, borders: &[Vec<Vec3>; 4], normals: bool, every: bool) -> Result<Triangles> {
+    fn plain(
+        &self,
+        borders: &[Vec<Vec3>; 4],
+        collapsed: [bool; 4],
+        normals: bool,
+        every: bool,
+    ) -> Result<Triangles> {
+        let sampled = Sampled { form: &self.form, collapsed };
         let [across, down] = self.segments;
         let Sample { mut positions, normals } =
-            sample(&self.form, &ticks(across), &ticks(down), normals)?;
+            sampled.grid(&ticks(across), &ticks(down), normals)?;
         let last = across * (down + 1);
         positions[..=down].copy_from_slice(&borders[0]);
         positions[last..].copy_from_slice(&borders[1]);
@@ -132,7 +139,7 @@ impl Patch {
         }
         let mut mesh = Triangles { positions, normals, indices: Vec::new() };
         mesh.indices = grid_cells(&mesh, across, down, self.is_cut_along_first())?;
-        if !every {
+        if !every && collapsed.contains(&true) {
             let positions = &mesh.positions;
             mesh.indices.retain(|corners| has_area(positions, corners));
         }
@@ -151,10 +158,16 @@ impl Patch {
     }
 
     /// A smaller grid inside, and four strips from its border to the finer edges.
-    fn stitched(&self, borders: &[Vec<Vec3>; 4], normals: bool) -> Result<Triangles> {
+    fn stitched(
+        &self,
+        borders: &[Vec<Vec3>; 4],
+        collapsed: [bool; 4],
+        normals: bool,
+    ) -> Result<Triangles> {
+        let sampled = Sampled { form: &self.form, collapsed };
         let [across, down] = self.segments.map(|count| count.max(2));
         let inner = |count: usize| ticks(count)[1..count].to_vec();
-        let grid = sample(&self.form, &inner(across), &inner(down), normals)?;
+        let grid = sampled.grid(&inner(across), &inner(down), normals)?;
         let mut mesh =
             Triangles { positions: grid.positions, normals: grid.normals, indices: Vec::new() };
         mesh.indices = grid_cells(&mesh, across - 2, down - 2, self.is_cut_along_first())?;
@@ -162,9 +175,9 @@ impl Patch {
             let free = ticks(border.len() - 1);
             let fixed = [if side % 2 == 0 { 0.0 } else { 1.0 }];
             let line = if side < 2 {
-                sample(&self.form, &fixed, &free, normals)?
+                sampled.grid(&fixed, &free, normals)?
             } else {
-                sample(&self.form, &free, &fixed, normals)?
+                sampled.grid(&free, &fixed, normals)?
             };
             let first = mesh.positions.len() as u32;
             mesh.positions.extend(border);

@@ -11,16 +11,9 @@
 //! reaches over its edges in that plane. Points that move along an edge, because the parameter
 //! does not run evenly, cost nothing.
 
-use pforms_kernel::lanes::Job;
-
+use super::curvature::{Scratch, curvature};
 use super::net::{Net, Quadruple};
 use crate::vector::{Vec3, cross, dot, norm, subtract};
-
-/// Second derivatives of four functions on the unit box, as `mean ± spread`: `∂ᵤᵤ`, `∂ᵤᵥ`, `∂ᵥᵥ`.
-struct Curvature {
-    mean: [[f64; 4]; 3],
-    spread: [[f64; 4]; 3],
-}
 
 /// A triangle over a box of parameters that has become the unit square.
 pub(crate) struct Facet {
@@ -30,16 +23,22 @@ pub(crate) struct Facet {
     pub(crate) places: [Vec3; 3],
 }
 
-/// What is known of the surface over a triangle.
-#[allow(clippy::large_enum_variant, reason = "nearly all are of the large kind")]
-pub(crate) enum Bound {
-    /// No point of the surface is farther from the triangle; the parts that the axes have in it.
-    Within(f64, [f64; 2]),
-    /// Its height over the plane, and how far it reaches over the edges.
-    Seen(Seen),
+impl Facet {
+    /// The step in the box along the edge from one corner to the next.
+    fn step(&self, from: usize) -> [f64; 2] {
+        let [a, b] = [self.at[from], self.at[(from + 1) % 3]];
+        [b[0] - a[0], b[1] - a[1]]
+    }
+}
+
+/// A distance between points at the same parameters, and the parts that the axes have in it.
+pub(crate) struct Unseen {
+    pub(crate) distance: f64,
+    pub(crate) shares: [f64; 2],
 }
 
 /// The surface seen along the normal of a triangle, lengths multiplied by that of a direction.
+#[derive(Default)]
 pub(crate) struct Seen {
     places: [Vec3; 3],
     normal: Vec3,
@@ -59,108 +58,86 @@ pub(crate) struct Seen {
     shares: [[f64; 4]; 2],
 }
 
-/// The bound on a triangle, by the widest vectors of the machine.
-pub(crate) struct Proof<'a> {
-    /// The net between the row parameters of the box, and the box's column parameters.
-    pub(crate) strip: &'a Net,
-    pub(crate) columns: [f64; 2],
-    pub(crate) facet: &'a Facet,
-    pub(crate) cell: &'a mut Net,
-    pub(crate) scratch: &'a mut Vec<Quadruple>,
-}
-
-impl Job for Proof<'_> {
-    type Output = Bound;
-
-    #[inline(always)]
-    fn run<const N: usize>(self) -> Bound {
-        self.strip.columns_between(self.columns, self.cell);
-        bound(self.cell, self.facet, self.scratch)
-    }
-}
-
-/// A bound on the distance between any point of the surface over the triangle and the triangle.
-///
-/// Infinite while poles in the box have weights that are not positive.
-#[inline(always)]
-fn bound(cell: &Net, facet: &Facet, scratch: &mut Vec<Quadruple>) -> Bound {
-    let weights = cell.weights();
-    if weights[0] <= 0.0 {
-        return Bound::Within(f64::INFINITY, [1.0; 2]);
-    }
-    let seen = Seen::of(cell, facet, weights, scratch);
-    match seen {
-        Some(seen) => Bound::Seen(seen),
-        None => at_same_parameters(cell, facet, weights[0], scratch),
-    }
-}
-
 impl Seen {
-    /// By the height over the plane, and by what reaches over one edge; nothing where the
-    /// parameters run so unevenly that a point may lie over two edges.
+    /// Bounds the distance between a triangle and any point of the surface over it.
     ///
-    /// A point over the edge `(i, j)` is `λₗ` away from it, and on the line through it from the
-    /// third corner the edge reaches over by at most `½·λᵢλⱼ` times its second derivative.
-    #[inline(always)]
-    fn of(
-        cell: &Net,
+    /// By the height over its plane, and by what reaches over one edge. A point over the edge
+    /// `(i, j)` is `λₗ` away from it, and on the line through it from the third corner the edge
+    /// reaches over by at most `½·λᵢλⱼ` times its second derivative.
+    ///
+    /// Where the parameters run so unevenly that a point may lie over two edges, another bound is
+    /// returned instead; it is infinite while poles in the box have weights that are not positive.
+    pub(crate) fn look(
+        &mut self,
+        strip: &Net,
         facet: &Facet,
         weights: [f64; 2],
-        scratch: &mut Vec<Quadruple>,
-    ) -> Option<Self> {
+        scratch: &mut Scratch,
+    ) -> Option<Unseen> {
+        if weights[0] <= 0.0 {
+            return Some(Unseen { distance: f64::INFINITY, shares: [1.0; 2] });
+        }
+        let single = self.see(strip, facet, weights, scratch);
+        (!single).then(|| at_same_parameters(strip, facet, weights[0], scratch))
+    }
+
+    /// Does every point lie over one edge at most?
+    fn see(
+        &mut self,
+        strip: &Net,
+        facet: &Facet,
+        weights: [f64; 2],
+        scratch: &mut Scratch,
+    ) -> bool {
         let places = facet.places;
-        let sides = [0, 1, 2].map(|k| subtract(places[(k + 1) % 3], places[k]));
+        let [a, b, c] = places;
+        let sides = [subtract(b, a), subtract(c, b), subtract(a, c)];
         let normal = cross(sides[0], sides[1]);
         let size = dot(normal, normal);
         if size <= 0.0 {
-            return None;
+            return false;
         }
-        let across = sides.map(|side| cross(side, normal));
+        let across = [cross(sides[0], normal), cross(sides[1], normal), cross(sides[2], normal)];
         let directions = [normal, across[0], across[1], across[2]];
-        let bases = [places[0], places[0], places[1], places[2]];
-        let columns: [[f64; 4]; 4] = std::array::from_fn(|row| {
-            std::array::from_fn(|k| match row {
-                3 => -dot(directions[k], bases[k]),
-                x => directions[k][x],
-            })
-        });
-        let curvature = Curvature::of(cell, &columns, scratch);
-        let edges = [0, 1, 2].map(|k| curvature.along(&facet.at, k, (k + 1) % 3));
+        let bases = [a, a, b, c];
+        let mut columns = [[0.0; 4]; 4];
+        let mut lengths = [0.0; 4];
+        for (k, (way, base)) in directions.iter().zip(&bases).enumerate() {
+            for x in 0..3 {
+                columns[x][k] = way[x];
+            }
+            columns[3][k] = -dot(*way, *base);
+            lengths[k] = dot(*way, *way).sqrt();
+        }
+        let curvature = curvature(strip, &columns, scratch);
+        let steps = [facet.step(0), facet.step(1), facet.step(2)];
+        let edges =
+            [curvature.along(steps[0]), curvature.along(steps[1]), curvature.along(steps[2])];
         let spread = curvature.spread_sum();
-        let height =
-            (highest(edges.map(|edge| edge[0])) + spread[0] / 8.0) / (size.sqrt() * weights[0]);
+        let height = highest([edges[0][0], edges[1][0], edges[2][0]]) + spread[0] / 8.0;
         let (mut over, mut sliver) = ([0.0; 3], [0.0; 3]);
         for k in 0..3 {
-            let edge = [0, 1, 2].map(|edge: usize| edges[edge][k + 1]);
-            let own = (-edge[k]).max(0.0) + curvature.spread_along(&facet.at, k)[k + 1];
-            over[k] = own / (8.0 * weights[0] * dot(across[k], across[k]).sqrt());
-            let others = edge[(k + 1) % 3].abs().max(edge[(k + 2) % 3].abs()) + edge[k].abs() / 4.0;
+            let [edge, next, last] = [k, (k + 1) % 3, (k + 2) % 3].map(|edge| edges[edge][k + 1]);
+            let own = (-edge).max(0.0) + curvature.spread_along(steps[k])[k + 1];
+            over[k] = own / (8.0 * weights[0] * lengths[k + 1]);
+            let others = next.abs().max(last.abs()) + edge.abs() / 4.0;
             let inside = size * weights[0] - 0.5 * (others + spread[k + 1]);
             sliver[k] = if inside > 0.0 { own / (2.0 * inside) } else { f64::INFINITY };
         }
-        let single = (0..3).all(|k| sliver[k] * sliver[(k + 1) % 3] < 1.0);
-        let lengths = directions.map(|direction| dot(direction, direction).sqrt());
-        let shares = [0, 1].map(|axis: usize| {
-            let second = curvature.largest(2 * axis);
-            std::array::from_fn(|k| {
-                let step = k
-                    .checked_sub(1)
-                    .map_or(1.0, |k| facet.at[(k + 1) % 3][axis] - facet.at[k][axis]);
-                step * step * second[k] / lengths[k]
-            })
-        });
-        single.then_some(Self {
-            places,
-            normal,
-            across,
-            edges,
-            spread,
-            weights,
-            height,
-            over,
-            sliver,
-            shares,
-        })
+        if (0..3).any(|k| sliver[k] * sliver[(k + 1) % 3] >= 1.0) {
+            return false;
+        }
+        let mut shares = [curvature.largest(0), curvature.largest(2)];
+        for (axis, share) in shares.iter_mut().enumerate() {
+            share[0] /= lengths[0];
+            for k in 0..3 {
+                share[k + 1] *= steps[k][axis] * steps[k][axis] / lengths[k + 1];
+            }
+        }
+        let height = height / (lengths[0] * weights[0]);
+        *self =
+            Self { places, normal, across, edges, spread, weights, height, over, sliver, shares };
+        true
     }
 
     /// What either axis has in the distance beside an edge.
@@ -235,28 +212,21 @@ impl Seen {
 
 /// By the distance between points of the surface and of the triangle at the same parameters.
 #[cold]
-#[inline(never)]
-fn at_same_parameters(
-    cell: &Net,
-    facet: &Facet,
-    least: f64,
-    scratch: &mut Vec<Quadruple>,
-) -> Bound {
+fn at_same_parameters(strip: &Net, facet: &Facet, least: f64, scratch: &mut Scratch) -> Unseen {
     let places = facet.places;
     let [x, y, z] = places[0];
     let columns =
         [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0], [-x, -y, -z, 1.0]];
-    let curvature = Curvature::of(cell, &columns, scratch);
+    let curvature = curvature(strip, &columns, scratch);
     let reach = [1, 2].map(|k| norm(subtract(places[k], places[0])));
-    let length = |d: [f64; 4]| norm([d[0], d[1], d[2]]) + d[3].abs() * reach[0].max(reach[1]);
-    let edges = [0, 1, 2].map(|k| length(curvature.along(&facet.at, k, (k + 1) % 3)));
+    let length = |d: Quadruple| norm([d[0], d[1], d[2]]) + d[3].abs() * reach[0].max(reach[1]);
+    let edges = [0, 1, 2].map(|k| length(curvature.along(facet.step(k))));
     let [uu, uv, vv] = curvature.spread.map(length);
     let distance = (highest(edges) + (uu + 2.0 * uv + vv) / 8.0) / least;
-    Bound::Within(distance, [0, 2].map(|kind| length(curvature.largest(kind))))
+    Unseen { distance, shares: [0, 2].map(|kind| length(curvature.largest(kind))) }
 }
 
 /// The maximum of `½·|λ₀λ₁·a + λ₁λ₂·b + λ₂λ₀·c|` over the triangle.
-#[inline(always)]
 fn highest([a, b, c]: [f64; 3]) -> f64 {
     let mut highest = a.abs().max(b.abs()).max(c.abs()) / 8.0;
     // Inside, the gradient vanishes at barycentric coordinates with these ratios.
@@ -268,135 +238,27 @@ fn highest([a, b, c]: [f64; 3]) -> f64 {
     highest
 }
 
-impl Curvature {
-    /// Of the functions whose values at a pole are `pole · columns`.
-    #[inline(always)]
-    fn of(cell: &Net, columns: &[[f64; 4]; 4], values: &mut Vec<Quadruple>) -> Self {
-        let (rows, width, poles) = (cell.rows, cell.columns, &cell.poles);
-        let mut ranges = [Range::default(); 3];
-        values.clear();
-        values.extend(poles.iter().map(|pole| seen(pole, columns)));
-        let second = |a: usize, b: usize, c: usize, d: usize| -> Quadruple {
-            std::array::from_fn(|k| (values[a][k] - values[b][k]) - (values[c][k] - values[d][k]))
-        };
-        for i in 0..rows {
-            for j in 0..width {
-                let here = i * width + j;
-                if i + 2 < rows {
-                    let [next, last] = [here + width, here + 2 * width];
-                    ranges[0].include(second(last, next, next, here));
-                }
-                if i + 1 < rows && j + 1 < width {
-                    let below = here + width;
-                    ranges[1].include(second(below + 1, below, here + 1, here));
-                }
-                if j + 2 < width {
-                    ranges[2].include(second(here + 2, here + 1, here + 1, here));
-                }
-            }
-        }
-        let [n, m] = [rows as f64 - 1.0, width as f64 - 1.0];
-        let factors = [n * (n - 1.0), n * m, m * (m - 1.0)];
-        let part = |k: usize, of: fn(&Range, usize) -> f64| {
-            std::array::from_fn(
-                |l| if factors[k] > 0.0 { factors[k] * of(&ranges[k], l) } else { 0.0 },
-            )
-        };
-        Self {
-            mean: [0, 1, 2].map(|k| part(k, Range::mean)),
-            spread: [0, 1, 2].map(|k| part(k, Range::spread)),
-        }
-    }
-
-    /// The second derivative along the edge between two corners, by the means.
-    #[inline(always)]
-    fn along(&self, at: &[[f64; 2]; 3], from: usize, to: usize) -> [f64; 4] {
-        let [u, v] = [at[to][0] - at[from][0], at[to][1] - at[from][1]];
-        let [uu, uv, vv] = &self.mean;
-        std::array::from_fn(|k| u * u * uu[k] + 2.0 * u * v * uv[k] + v * v * vv[k])
-    }
-
-    /// The largest second derivatives of one kind.
-    #[inline(always)]
-    fn largest(&self, kind: usize) -> [f64; 4] {
-        std::array::from_fn(|k| self.mean[kind][k].abs() + self.spread[kind][k])
-    }
-
-    /// How far the second derivative along that edge may be off.
-    #[inline(always)]
-    fn spread_along(&self, at: &[[f64; 2]; 3], from: usize) -> [f64; 4] {
-        let to = (from + 1) % 3;
-        let [u, v] = [at[to][0] - at[from][0], at[to][1] - at[from][1]].map(f64::abs);
-        let [uu, uv, vv] = &self.spread;
-        std::array::from_fn(|k| u * u * uu[k] + 2.0 * u * v * uv[k] + v * v * vv[k])
-    }
-
-    #[inline(always)]
-    fn spread_sum(&self) -> [f64; 4] {
-        let [uu, uv, vv] = &self.spread;
-        std::array::from_fn(|k| uu[k] + 2.0 * uv[k] + vv[k])
-    }
-}
-
-#[inline(always)]
-fn seen(pole: &Quadruple, columns: &[[f64; 4]; 4]) -> Quadruple {
-    std::array::from_fn(|k| {
-        (pole[0] * columns[0][k] + pole[1] * columns[1][k])
-            + (pole[2] * columns[2][k] + pole[3] * columns[3][k])
-    })
-}
-
-/// Least and greatest of some numbers, for four functions.
-#[derive(Clone, Copy)]
-struct Range {
-    low: Quadruple,
-    high: Quadruple,
-}
-
-impl Default for Range {
-    fn default() -> Self {
-        Self { low: [f64::INFINITY; 4], high: [f64::NEG_INFINITY; 4] }
-    }
-}
-
-impl Range {
-    #[inline(always)]
-    fn include(&mut self, values: Quadruple) {
-        for ((low, high), value) in self.low.iter_mut().zip(&mut self.high).zip(values) {
-            *low = if value < *low { value } else { *low };
-            *high = if value > *high { value } else { *high };
-        }
-    }
-
-    #[inline(always)]
-    fn mean(&self, k: usize) -> f64 {
-        0.5 * (self.low[k] + self.high[k])
-    }
-
-    #[inline(always)]
-    fn spread(&self, k: usize) -> f64 {
-        0.5 * (self.high[k] - self.low[k])
-    }
-}
-
 /// The same for a triangle over the whole box, one of whose sides `u = const` is its first corner.
-pub(crate) fn fan_distance(cell: &Net, places: [Vec3; 3], scratch: &mut Vec<Quadruple>) -> f64 {
-    let least = cell.weights()[0];
+pub(crate) fn fan_distance(
+    strip: &Net,
+    places: [Vec3; 3],
+    weights: [f64; 2],
+    scratch: &mut Scratch,
+) -> f64 {
     let [a, b, c] = places;
     let normal = cross(subtract(b, a), subtract(c, a));
     let size = norm(normal);
-    if !(least > 0.0 && size > 0.0) {
+    if weights[0] <= 0.0 || size <= 0.0 {
         return f64::INFINITY;
     }
-    let offset = -dot(normal, a);
-    let columns = [normal[0], normal[1], normal[2], offset].map(|x| [x, 0.0, 0.0, 0.0]);
-    let curvature = Curvature::of(cell, &columns, scratch);
-    let [uu, _, vv] = [0, 1, 2].map(|k| curvature.mean[k][0].abs() + curvature.spread[k][0]);
-    let last = cell.poles.len() - 1;
-    let corners = [0, cell.columns - 1, last + 1 - cell.columns, last];
-    let off = corners.map(|k| seen(&cell.poles[k], &columns)[0].abs());
-    let height = (off.into_iter().fold(0.0, f64::max) + (uu + vv) / 8.0) / (size * least);
-    let over = cell.poles.iter().map(|pole| beyond(crate::space::project(pole), &places, normal));
+    let functions = [normal[0], normal[1], normal[2], -dot(normal, a)];
+    let curvature = curvature(strip, &functions.map(|x| [x, 0.0, 0.0, 0.0]), scratch);
+    let [uu, vv] = [0, 2].map(|kind| curvature.largest(kind)[0]);
+    let cell = scratch.cell();
+    let corners = [0, strip.columns - 1, cell.len() - strip.columns, cell.len() - 1];
+    let off = corners.map(|k| (0..4).map(|x| cell[k][x] * functions[x]).sum::<f64>().abs());
+    let height = (off.into_iter().fold(0.0, f64::max) + (uu + vv) / 8.0) / (size * weights[0]);
+    let over = cell.iter().map(|pole| beyond(crate::space::project(pole), &places, normal));
     height.hypot(over.fold(0.0, f64::max))
 }
 
@@ -412,7 +274,7 @@ fn beyond(point: Vec3, places: &[Vec3; 3], normal: Vec3) -> f64 {
         inside &= outside <= 0.0;
         let along = dot(way, side) / dot(side, side);
         let past = (along - along.clamp(0.0, 1.0)) * norm(side);
-        nearest = nearest.min(outside.hypot(past));
+        nearest = nearest.min((outside * outside + past * past).sqrt());
     }
     if inside { 0.0 } else { nearest }
 }

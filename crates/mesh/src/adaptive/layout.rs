@@ -5,9 +5,9 @@
 //! to a point is the apex of a fan over a first row that reaches from border to border.
 
 use pforms_kernel::Result;
-use pforms_kernel::lanes::in_lanes;
 
-use super::bound::{Bound, Facet, Proof, Seen, fan_distance};
+use super::bound::{Facet, Seen, Unseen, fan_distance};
+use super::curvature::{Scratch, restrict};
 use super::field::{CELLS, Field, Profile, integral, spread, total};
 use super::net::{Net, Quadruple, point_at};
 use crate::require_room;
@@ -92,6 +92,8 @@ struct Rim {
 
 /// A triangle of a strip, and how it hangs together with its neighbours.
 struct Link {
+    /// The distance, if it is not the one seen along the normal.
+    unseen: Option<Unseen>,
     /// Boxes of parameters, along the rows' axis and the columns'.
     ranges: [[f64; 2]; 2],
     /// The corner that the triangle before lacks, and the one that the next lacks.
@@ -109,17 +111,16 @@ struct Layout<'a> {
     tolerance: f64,
     coarser: bool,
     draft: Draft,
-    /// The net between two row parameters, and inside it between two column parameters.
+    /// The net between two row parameters.
     strip: (Net, [f64; 2]),
-    cell: Net,
-    scratch: Vec<Quadruple>,
+    scratch: Scratch,
     basis: Vec<f64>,
     line: Vec<Quadruple>,
     /// Column parameters of the inner vertices.
     ticks: Vec<f64>,
     columns: Source,
     links: Vec<Link>,
-    bounds: Vec<Bound>,
+    seen: Vec<Seen>,
 }
 
 /// Lays out one patch.
@@ -139,14 +140,13 @@ pub(crate) fn layout(
         coarser,
         draft: Draft::default(),
         strip: (Net::default(), [f64::NAN; 2]),
-        cell: Net::default(),
-        scratch: Vec::new(),
+        scratch: Scratch::default(),
         basis: Vec::new(),
         line: Vec::new(),
         ticks: Vec::new(),
         columns: Source { profile: COLUMNS, surplus: 1.0 },
         links: Vec::new(),
-        bounds: Vec::new(),
+        seen: Vec::new(),
     };
     layout.set_columns()?;
     let mut sides = layout.sides(borders);
@@ -315,34 +315,30 @@ impl Layout<'_> {
             let exit = if step == (axis == 1) { 1 } else { 2 };
             let place = |along| if axis == 1 { [across, along] } else { [along, across] };
             let (sources, beyond) = (place(base.source), beyond.map(place));
-            let ranges = [[0.0; 2]; 2];
-            self.triangle(corners, Link { ranges, fresh, stale, exit, sources, beyond });
+            let (ranges, unseen) = self.triangle(corners);
+            self.links.push(Link { unseen, ranges, fresh, stale, exit, sources, beyond });
         }
         self.judge();
     }
 
     /// Takes note of how far the surface strays from the triangles of a strip.
     fn judge(&mut self) {
-        let (links, bounds) = (std::mem::take(&mut self.links), std::mem::take(&mut self.bounds));
-        for (k, (link, bound)) in links.iter().zip(&bounds).enumerate() {
-            let (off, growth) = match bound {
-                Bound::Within(distance, [a, b]) => {
-                    (distance / self.tolerance, if a > b { [UNEVEN, 0.0] } else { [0.0, UNEVEN] })
-                }
-                Bound::Seen(seen) => {
-                    let last = k.checked_sub(1).map(|k| links[k].stale);
-                    let next = links.get(k + 1).map(|next| next.fresh);
-                    self.off(seen, link.exit, [last, next])
-                }
+        let (links, seen) = (std::mem::take(&mut self.links), std::mem::take(&mut self.seen));
+        for (k, (link, seen)) in links.iter().zip(&seen).enumerate() {
+            let (off, growth) = if let Some(Unseen { distance, shares: [a, b] }) = link.unseen {
+                (distance / self.tolerance, if a > b { [UNEVEN, 0.0] } else { [0.0, UNEVEN] })
+            } else {
+                let last = k.checked_sub(1).map(|k| links[k].stale);
+                let next = links.get(k + 1).map(|next| next.fresh);
+                self.off(seen, link.exit, [last, next])
             };
             self.note(off, growth, link.ranges, link.sources);
             if let Some(sources) = link.beyond {
                 self.note(off, growth, link.ranges, sources);
             }
         }
-        (self.links, self.bounds) = (links, bounds);
+        (self.links, self.seen) = (links, seen);
         self.links.clear();
-        self.bounds.clear();
     }
 
     /// How many tolerances off the surface is at most, and what would mend it; the neighbours over
@@ -388,7 +384,7 @@ impl Layout<'_> {
 
     /// Adds a triangle unless two of its corners coincide, and a bound on how far the surface
     /// strays from it.
-    fn triangle(&mut self, corners: [u32; 3], link: Link) {
+    fn triangle(&mut self, corners: [u32; 3]) -> ([[f64; 2]; 2], Option<Unseen>) {
         let places = corners.map(|k| self.draft.places[k as usize]);
         if places[0] != places[1] && places[1] != places[2] && places[2] != places[0] {
             self.draft.triangles.push(corners);
@@ -400,9 +396,13 @@ impl Layout<'_> {
         let local = |t: f64, [a, b]: [f64; 2]| if b > a { (t - a) / (b - a) } else { 0.0 };
         let at = at.map(|[u, v]| [local(u, rows), local(v, columns)]);
         let facet = Facet { at, places };
-        let (strip, cell, scratch) = (&self.strip.0, &mut self.cell, &mut self.scratch);
-        self.bounds.push(in_lanes(Proof { strip, columns, facet: &facet, cell, scratch }));
-        self.links.push(Link { ranges, ..link });
+        let weights = restrict(&self.strip.0, columns, &mut self.scratch);
+        // One for each link, written where it stays.
+        if self.seen.len() == self.links.len() {
+            self.seen.push(Seen::default());
+        }
+        let seen = &mut self.seen[self.links.len()];
+        (ranges, seen.look(&self.strip.0, &facet, weights, &mut self.scratch))
     }
 
     /// Adds a triangle of a fan between two borders.
@@ -414,9 +414,9 @@ impl Layout<'_> {
         let rows = range([at[0][0], at[1][0], at[2][0]]);
         let columns = [at[1][1].min(at[2][1]), at[1][1].max(at[2][1])];
         self.restrict_rows(rows);
-        self.strip.0.columns_between(columns, &mut self.cell);
+        let weights = restrict(&self.strip.0, columns, &mut self.scratch);
         let ranges = [rows, columns];
-        let off = fan_distance(&self.cell, places, &mut self.scratch) / self.tolerance;
+        let off = fan_distance(&self.strip.0, places, weights, &mut self.scratch) / self.tolerance;
         let growth = off.min(TELLING).sqrt();
         self.note(off, [growth; 2], ranges, [borders[0], self.columns]);
         self.note(off, [growth, 0.0], ranges, [borders[1], self.columns]);

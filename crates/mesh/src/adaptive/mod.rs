@@ -4,6 +4,7 @@
 //! near enough or asks for more, and what has to change is laid out again.
 
 mod bound;
+mod curvature;
 mod field;
 mod layout;
 mod net;
@@ -13,10 +14,11 @@ use std::collections::HashMap;
 use pforms_kernel::{Error, Form, Result};
 
 use crate::Triangles;
+use crate::apex::collapsed;
 use crate::edge::{Edge, Key};
 use crate::pieces::require_finite;
 use crate::require_room;
-use crate::sample::normals_at;
+use crate::sample::Sampled;
 use crate::space::{embed, require_axes};
 use crate::vector::Vec3;
 use field::{CELLS, Field, Profile, spread, total};
@@ -86,7 +88,7 @@ impl Patch {
         require_finite(&form)?;
         let edges = [(0, false), (0, true), (1, false), (1, true)]
             .map(|(fixed, high)| Edge::of(&form, fixed, high));
-        let collapsed = [0, 1, 2, 3].map(|side: usize| edges[side].single_point().is_some());
+        let collapsed = collapsed(&form);
         let mut field = Field::of(&net, tolerance);
         let across = collapsed[2] || collapsed[3];
         let mut swapped = across && !(collapsed[0] || collapsed[1]);
@@ -165,7 +167,8 @@ impl Patch {
             }
         }
         if normals {
-            mesh.normals = normals_at(&self.form, &parameters)?;
+            let sampled = Sampled { form: &self.form, collapsed: collapsed(&self.form) };
+            mesh.normals = sampled.normals_at(&parameters)?;
         }
         Ok(mesh)
     }

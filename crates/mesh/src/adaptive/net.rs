@@ -1,5 +1,11 @@
 //! The poles of a patch on a part of its window.
 
+#![allow(
+    clippy::inline_always,
+    clippy::needless_range_loop,
+    reason = "only what is inlined is compiled for the wider sets; lanes are counted, not iterated"
+)]
+
 use pforms_kernel::Form;
 
 use crate::space::quadruples;
@@ -54,38 +60,6 @@ impl Net {
         }
     }
 
-    /// Writes the net of the part with column parameters in `[a, b]`.
-    #[inline(always)]
-    pub(crate) fn columns_between(&self, [a, b]: [f64; 2], out: &mut Self) {
-        out.clone_from(self);
-        let degree = self.columns - 1;
-        for line in out.poles.chunks_exact_mut(self.columns) {
-            if a > 0.0 {
-                for step in 1..=degree {
-                    for j in 0..=degree - step {
-                        line[j] = between(line[j], line[j + 1], a);
-                    }
-                }
-            }
-            if b < 1.0 {
-                let t = (b - a) / (1.0 - a);
-                for step in 1..=degree {
-                    for j in (step..=degree).rev() {
-                        line[j] = between(line[j - 1], line[j], t);
-                    }
-                }
-            }
-        }
-    }
-
-    /// The least and the greatest weight of a pole, between which those of the form lie.
-    #[inline(always)]
-    pub(crate) fn weights(&self) -> [f64; 2] {
-        self.poles.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], pole| {
-            [least.min(pole[3]), most.max(pole[3])]
-        })
-    }
-
     /// The homogeneous curve of the row at parameter `u`.
     pub(crate) fn row_at(&self, u: f64, basis: &mut Vec<f64>, out: &mut Vec<Quadruple>) {
         bernstein(self.rows - 1, u, basis);
@@ -131,15 +105,40 @@ pub(crate) fn bernstein(degree: usize, t: f64, row: &mut Vec<f64>) {
     }
 }
 
+/// Makes the poles of a curve those of its part between `a` and `b`, by de Casteljau twice.
+#[inline(always)]
+pub(crate) fn narrow(line: &mut [Quadruple], [a, b]: [f64; 2]) {
+    let degree = line.len() - 1;
+    if a > 0.0 {
+        for step in 1..=degree {
+            for j in 0..=degree - step {
+                line[j] = between(&line[j], &line[j + 1], a);
+            }
+        }
+    }
+    if b < 1.0 {
+        let t = (b - a) / (1.0 - a);
+        for step in 1..=degree {
+            for j in (step..=degree).rev() {
+                line[j] = between(&line[j - 1], &line[j], t);
+            }
+        }
+    }
+}
+
 /// `here = (1 − t)·here + t·next`.
 #[inline]
 fn blend(here: &mut [Quadruple], next: &[Quadruple], t: f64) {
     for (x, y) in here.iter_mut().zip(next) {
-        *x = between(*x, *y, t);
+        *x = between(x, y, t);
     }
 }
 
 #[inline(always)]
-fn between(x: Quadruple, y: Quadruple, t: f64) -> Quadruple {
-    std::array::from_fn(|k| (1.0 - t) * x[k] + t * y[k])
+fn between(x: &Quadruple, y: &Quadruple, t: f64) -> Quadruple {
+    let (s, mut sum) = (1.0 - t, [0.0; 4]);
+    for k in 0..4 {
+        sum[k] = s * x[k] + t * y[k];
+    }
+    sum
 }
