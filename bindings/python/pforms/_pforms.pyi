@@ -7,7 +7,7 @@ from typing import Any, Final, Literal, TypeAlias, final, overload
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pforms.records import Fit, Frame, Mesh, Polyline, Projection
+from pforms.records import Fit, Frame, Mesh, Projection
 
 _Array: TypeAlias = NDArray[np.float64]
 _Number: TypeAlias = float | Fraction | np.floating[Any] | np.integer[Any]
@@ -249,6 +249,7 @@ def grid(
     normals: Literal[True],
     out: tuple[_Array, _Array] | None = None,
 ) -> tuple[_Array, _Array]: ...
+# Of a curve a Polyline: what a form is, its type does not tell.
 @overload
 def tessellate(
     forms: Form,
@@ -258,7 +259,7 @@ def tessellate(
     fineness: _WholePerAxis | None = None,
     normals: bool = True,
     joined: Literal[False] = False,
-) -> Mesh | Polyline: ...
+) -> Mesh | Any: ...
 @overload
 def tessellate(
     forms: Iterable[Form],
@@ -268,7 +269,7 @@ def tessellate(
     fineness: _WholePerAxis | None = None,
     normals: bool = True,
     joined: Literal[False] = False,
-) -> list[Mesh | Polyline]: ...
+) -> list[Mesh | Any]: ...
 @overload
 def tessellate(
     forms: Form | Iterable[Form],

@@ -65,7 +65,7 @@ class Polyline(NamedTuple):
     tangents: NDArray[float64]
     """The direction of the curve at each, shape (n, 3)."""
     segments: NDArray[int32]
-    """Two vertices for each segment, shape (m, 2): where a curve passes through infinity it is cut."""
+    """Two vertices for each segment, shape (m, 2); none joins the two sides of infinity."""
 
 
 class Frame:

@@ -66,7 +66,7 @@ def test_segments_drop_nothing_and_fineness_what_has_no_area(octant):
 
 
 def test_the_teapot_has_normals_everywhere_and_few_triangles():
-    forms = [form for form in pf.load(MODELS / "newell-teapot32.bpt")]
+    forms = pf.load(MODELS / "newell-teapot32.bpt")
     meshes = pf.tessellate(forms, tolerance=8.276e-3)
     assert sum(len(mesh.triangles) for mesh in meshes) < 7000
     for mesh in meshes:
