@@ -3,10 +3,11 @@
 use crate::basis::bernstein_row_into;
 use crate::bulk_grid::Grids;
 use crate::bulk_scattered::write_scattered;
+use crate::jet::unreachable;
 use crate::planar::doubt;
 use crate::threads::fill_parts;
 use crate::vectors::in_lanes;
-use crate::{Error, Form, Result, limit};
+use crate::{Error, Form, Result, bernstein_row, limit};
 
 impl Form<f64> {
     /// Euclidean points on the grid of the given parameters, one list for each axis.
@@ -123,6 +124,14 @@ pub fn grids_into(forms: &[&Form<f64>], parameters: &[&[f64]], out: &mut [f64]) 
     if points == 0 {
         return Ok(());
     }
+    if let Some(long) = parameters.iter().rposition(|list| list.len() > 1)
+        && long + 1 < parameters.len()
+    {
+        let (parameters, ends) = parameters.split_at(long + 1);
+        let sections: Vec<Form<f64>> =
+            forms.iter().map(|form| section(form, ends)).collect::<Result<_>>()?;
+        return grids_into(&sections.iter().collect::<Vec<_>>(), parameters, out);
+    }
     if forms.len() > 1 {
         return fill_parts(out, points * ambient, points * first.cost(), |range, out| {
             in_lanes(Grids { forms: &forms[range], parameters, out })
@@ -138,6 +147,20 @@ pub fn grids_into(forms: &[&Form<f64>], parameters: &[&[f64]], out: &mut [f64]) 
         let mut parameters = parameters.to_vec();
         parameters[axis] = &list[range];
         in_lanes(Grids { forms, parameters: &parameters, out })
+    })
+}
+
+/// The form at single samples of its last axes: those before run in lanes then.
+fn section(form: &Form<f64>, ends: &[&[f64]]) -> Result<Form<f64>> {
+    let mut section = form.clone();
+    for list in ends.iter().rev() {
+        let axis = section.axes() - 1;
+        let row = bernstein_row(section.orders()[axis] - 1, &list[0]);
+        section = section.contract(axis, &row).map_err(|_| unreachable(&1.0))?;
+    }
+    Ok(match form.uniform_weight() {
+        Some(weight) => section.with_uniform_weight(weight),
+        None => section,
     })
 }
 
@@ -266,6 +289,23 @@ mod tests {
                 assert_same_bits(count, |out| form.grid_into(&few, out).unwrap());
             }
         }
+    }
+
+    #[test]
+    fn single_samples_of_the_last_axes_are_taken_first() {
+        for rational in [false, true] {
+            let form = wavy(&[4, 3, 5], 3, rational);
+            let long: Vec<f64> = (0..40).map(|k| f64::from(k) / 39.0).collect();
+            let grid = form.grid(&[&long, &[0.3], &[0.7]]).unwrap();
+            for (u, point) in long.iter().zip(grid.chunks(3)) {
+                for (x, y) in form.at(&[*u, 0.3, 0.7]).unwrap().iter().zip(point) {
+                    // Three sums of at most 5 terms, in another order of rounding.
+                    assert!((x - y).abs() <= 32.0 * f64::EPSILON);
+                }
+            }
+        }
+        let huge = wavy(&[2, 4], 3, false).grid(&[&[0.0, 1.0], &[1e200]]);
+        assert_eq!(huge.unwrap_err().family(), "Domain");
     }
 
     #[test]

@@ -6,6 +6,7 @@
     reason = "a test that cannot read its data must stop"
 )]
 
+pub mod memory;
 mod random;
 mod reference;
 mod shapes;
