@@ -1,5 +1,7 @@
 //! Act along one axis: the move behind subdivision, elevation, stretching, interpolation, splines.
 
+use smallvec::SmallVec;
+
 use crate::act::Steps;
 use crate::{Error, Form, Result, Scalar, limit};
 
@@ -8,7 +10,7 @@ use crate::{Error, Form, Result, Scalar, limit};
 pub struct Matrix<S = f64> {
     rows: usize,
     columns: usize,
-    entries: Vec<S>,
+    entries: SmallVec<[S; 32]>,
 }
 
 impl<S: Scalar> Matrix<S> {
@@ -30,8 +32,25 @@ impl<S: Scalar> Matrix<S> {
 
     /// A matrix whose entry at `(row, column)` is given by a rule.
     pub fn from_rule(rows: usize, columns: usize, rule: impl Fn(usize, usize) -> S) -> Self {
-        let entries = (0..rows * columns).map(|k| rule(k / columns, k % columns)).collect();
-        Self { rows, columns, entries }
+        Self::from_writer(rows, columns, |row, entries| {
+            for (column, entry) in entries.iter_mut().enumerate() {
+                *entry = rule(row, column);
+            }
+        })
+    }
+
+    /// A matrix whose rows are written one by one, into zeros.
+    pub fn from_writer(
+        rows: usize,
+        columns: usize,
+        mut write: impl FnMut(usize, &mut [S]),
+    ) -> Self {
+        let mut matrix = Self { rows, columns, entries: SmallVec::new() };
+        matrix.entries.resize(rows * columns, S::zero());
+        for (index, row) in matrix.entries.chunks_exact_mut(columns).enumerate() {
+            write(index, row);
+        }
+        matrix
     }
 
     /// Number of rows: the order after acting.
@@ -47,6 +66,17 @@ impl<S: Scalar> Matrix<S> {
     /// Row `index`.
     pub fn row(&self, index: usize) -> &[S] {
         &self.entries[index * self.columns..][..self.columns]
+    }
+
+    /// The array `Σ_j M[r, j] · input[a, j, k]` for an array of shape `(·, columns, inner)`.
+    ///
+    /// Errors: none of its own.
+    pub fn act(&self, input: &[S], inner: usize) -> Result<Vec<S>> {
+        let mut out = vec![S::zero(); input.len() / self.columns * self.rows];
+        let mut steps = Steps::new(self.columns * inner);
+        steps.push(self, inner);
+        steps.run(input, &mut out)?;
+        Ok(out)
     }
 }
 

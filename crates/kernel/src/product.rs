@@ -227,24 +227,6 @@ impl<S: Scalar> Scaled<S> {
         Form::from_homogeneous(&orders, self.width - 1, self.coefficients.into_vec())
     }
 
-    /// Identifies two axes, `first < second`: the polynomial on the diagonal of their square, on
-    /// axis `first`. In this basis, sums along the antidiagonals.
-    #[must_use]
-    pub fn merged(&self, first: usize, second: usize) -> Self {
-        let mut degrees = self.degrees.clone();
-        degrees[first] += degrees.remove(second);
-        let count: usize = degrees.iter().map(|degree| degree + 1).product();
-        let coefficients = smallvec![S::zero(); count * self.width];
-        let mut merged = Self { degrees, width: self.width, coefficients };
-        let mut strides = merged.strides();
-        strides.insert(second, strides[first]);
-        let targets = offsets(&self.degrees, &strides);
-        for (pole, start) in self.coefficients.chunks_exact(self.width).zip(&targets) {
-            S::add_multiple(&mut merged.coefficients[*start..start + self.width], &S::one(), pole);
-        }
-        merged
-    }
-
     /// Distance in the array between neighbours along each axis.
     fn strides(&self) -> Each {
         let mut step = self.width;

@@ -77,6 +77,20 @@ fn elevation_subdivision_stretching_and_splitting() {
     }
 }
 
+/// Two ways to the same triangle: a half of a sum is the sum of the halves, to the bit.
+#[test]
+fn halves_are_the_parts_at_one_half_to_the_bit() {
+    for (seed, order) in [2, 5, 60, 400].into_iter().enumerate() {
+        let mut random = Random::new(seed as u64 + 600);
+        let f = random.rough_form(&[order, 2], 2, Weights::Positive);
+        let refined = subdivide(&f, &[1, 0]).unwrap();
+        let (low, high) = split(&f, 0, &0.5).unwrap();
+        assert_eq!(refined.pieces().unwrap(), [low.clone(), high]);
+        let quarters = subdivide(&f, &[2, 0]).unwrap();
+        assert_eq!(quarters.piece(&[0, 0]).unwrap(), split(&low, 0, &0.5).unwrap().0);
+    }
+}
+
 #[test]
 fn extrapolation_is_as_good_as_its_growth_allows() {
     for (seed, degree) in [1, 3, 8, 19].into_iter().enumerate() {

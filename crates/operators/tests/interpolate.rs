@@ -231,6 +231,28 @@ fn forty_points_at_uniform_nodes() {
     }
 }
 
+/// Factors that are remembered are those that would be made; many threads may ask at once.
+#[test]
+fn remembered_nodes_are_as_good_as_given_ones() {
+    let solve = |order: usize| {
+        let net = rough(&random_net(order as u64, &[order, 3], 2));
+        for nodes in [Nodes::Uniform, Nodes::Chebyshev, Nodes::Lobatto] {
+            let by_rule = interpolate_homogeneous(&net, &nodes).unwrap();
+            if nodes != Nodes::Uniform {
+                let lists = [order, 3].map(|order| nodes.on_axis(0, order).unwrap());
+                let given = Nodes::Given(lists.to_vec());
+                assert_eq!(by_rule, interpolate_homogeneous(&net, &given).unwrap());
+            }
+            assert_eq!(by_rule, interpolate_homogeneous(&net, &nodes).unwrap());
+        }
+    };
+    std::thread::scope(|scope| {
+        for _ in 0..4 {
+            scope.spawn(|| [1, 2, 9, 48, 49].into_iter().for_each(solve));
+        }
+    });
+}
+
 #[test]
 fn scaling_by_a_power_of_two_changes_no_bit() {
     let net = rough(&random_net(9, &[12], 3));

@@ -1,8 +1,13 @@
 //! Diagonalisation: two parameters become one.
 //!
-//! `q_k = Σ_{i+j=k} C(m−1,i)·C(n−1,j)/C(m+n−2,k) · p_ij` (book 12 and 13): sums along the antidiagonals.
+//! `q_k = Σ_{i+j=k} C(m−1,i)·C(n−1,j)/C(m+n−2,k) · p_ij`, means along the antidiagonals (book 12 and
+//! 13).
 
-use pforms_kernel::{Error, Form, Result, Scalar, limit, pascal_row};
+#![allow(clippy::inline_always, reason = "only what is inlined is compiled for the wider vectors")]
+
+use pforms_kernel::lanes::Job;
+use pforms_kernel::{Binomials, Error, Form, Result, Scalar, limit};
+use smallvec::SmallVec;
 
 /// The form on the diagonal of axes `first` and `second`: orders `m` and `n` give `m + n − 1`.
 ///
@@ -25,44 +30,59 @@ pub fn diagonal<S: Scalar>(form: &Form<S>, first: usize, second: usize) -> Resul
     form.require_axis(first)?;
     form.require_axis(second)?;
     let (low, high) = (first.min(second), first.max(second));
-    let mut orders = form.orders().to_vec();
+    let mut orders: SmallVec<[usize; 8]> = form.orders().into();
     orders[low] += orders.remove(high) - 1;
-    let poles = vec![S::zero(); limit::check::<S>("the diagonal", &orders, form.width())?];
+    limit::check::<S>("the diagonal", &orders, form.width())?;
     limit::check_degree::<S>(orders[low] - 1)?;
-    let merged = Form::from_homogeneous(&orders, form.ambient(), merged(form, low, high, poles))?;
+    let mut poles = vec![S::zero(); orders.iter().product::<usize>() * form.width()];
+    S::in_lanes(Antidiagonals { form, low, high, poles: &mut poles });
+    let merged = Form::from_homogeneous(&orders, form.ambient(), poles)?;
     Ok(match form.uniform_weight() {
         Some(weight) => merged.with_uniform_weight(weight),
         None => merged,
     })
 }
 
-/// The sums along the antidiagonals of two axes, added to `sums`; all other axes are left alone.
-fn merged<S: Scalar>(form: &Form<S>, low: usize, high: usize, mut sums: Vec<S>) -> Vec<S> {
-    let orders = form.orders();
-    let (m, n) = (orders[low], orders[high]);
-    let (rows, columns) = (pascal_row::<S>(m - 1), pascal_row::<S>(n - 1));
-    let binomials = pascal_row::<S>(m + n - 2);
-    let inner = orders[high + 1..].iter().product::<usize>() * form.width();
-    let share = orders[low + 1..high].iter().product::<usize>() * inner;
-    let blocks = form.homogeneous().chunks_exact(m * n * share);
-    for (block, part) in blocks.zip(sums.chunks_exact_mut((m + n - 1) * share)) {
-        for (i, (row, own)) in block.chunks_exact(n * share).zip(&rows).enumerate() {
-            for (place, lines) in row.chunks_exact(n * inner).enumerate() {
-                for (j, (line, other)) in lines.chunks_exact(inner).zip(&columns).enumerate() {
-                    let target = &mut part[(i + j) * share + place * inner..][..inner];
-                    S::add_multiple(target, &(own.clone() * other.clone()), line);
-                }
-            }
-        }
-        // The outermost binomials are 1.
-        let inside = part.chunks_exact_mut(share).zip(&binomials).skip(1).take((m + n).max(3) - 3);
-        for (sums, binomial) in inside {
-            for sum in sums {
-                *sum = sum.clone() / binomial.clone();
+/// Adds up the poles along the antidiagonals of two axes.
+struct Antidiagonals<'a, S> {
+    form: &'a Form<S>,
+    low: usize,
+    high: usize,
+    poles: &'a mut [S],
+}
+
+impl<S: Scalar> Job for Antidiagonals<'_, S> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<const N: usize>(self) {
+        let after = &self.form.orders()[self.high + 1..];
+        let inner = after.iter().product::<usize>() * self.form.width();
+        let orders = self.form.orders();
+        let (m, n) = (orders[self.low], orders[self.high]);
+        let between: usize = orders[self.low + 1..self.high].iter().product();
+        let shares = shares::<S>(m, n);
+        let blocks = self.form.homogeneous().chunks_exact(m * between * n * inner);
+        let targets = self.poles.chunks_exact_mut((m + n - 1) * between * inner);
+        for (source, target) in blocks.zip(targets) {
+            for (index, line) in source.chunks_exact(inner).enumerate() {
+                let (i, b, j) = (index / n / between, index / n % between, index % n);
+                let place = ((i + j) * between + b) * inner;
+                S::add_multiple(&mut target[place..][..inner], &shares[i * n + j], line);
             }
         }
     }
-    sums
+}
+
+/// What each pole of an `m × n` net contributes to the mean along its antidiagonal.
+fn shares<S: Scalar>(m: usize, n: usize) -> SmallVec<[S; 32]> {
+    let row = Binomials::<S>::of;
+    let (left, right, whole) = (row(m - 1), row(n - 1), row(m + n - 2));
+    let mut shares = SmallVec::new();
+    for i in 0..m {
+        shares.extend((0..n).map(|j| left.get(i) * right.get(j) / whole.get(i + j)));
+    }
+    shares
 }
 
 /// The curve on the diagonal of all axes: the last two are merged until one is left.

@@ -3,7 +3,7 @@
 //! The poles of degree `n + r` are `q_i = Σ_j C(n,j)·C(r,i−j)/C(n+r,i) · p_j`: a product with the
 //! polynomial 1 written in degree `r` (book 212; Farin, section 6.1).
 
-use pforms_kernel::{Error, Form, Matrix, Result, Scalar, limit, pascal_row};
+use pforms_kernel::{Binomials, Error, Form, Matrix, Result, Scalar, limit};
 
 use super::along::act_along;
 
@@ -42,12 +42,13 @@ pub fn elevation_matrix<S: Scalar>(degree: usize, by: usize) -> Result<Matrix<S>
     let raised = degree.saturating_add(by);
     limit::check::<S>("the elevation matrix", &[raised, degree + 1], 1)?;
     limit::check_degree::<S>(raised)?;
-    let (old, gap, new) = (pascal_row::<S>(degree), pascal_row::<S>(by), pascal_row::<S>(raised));
-    Ok(Matrix::from_rule(raised + 1, degree + 1, |i, j| {
-        if j > i || i - j > by {
-            S::zero()
-        } else {
-            old[j].clone() * gap[i - j].clone() / new[i].clone()
+    let row = Binomials::<S>::of;
+    let (old, gap, new) = (row(degree), row(by), row(raised));
+    Ok(Matrix::from_writer(raised + 1, degree + 1, |i, entries| {
+        let whole = new.get(i);
+        let first = i.saturating_sub(by);
+        for (j, entry) in entries.iter_mut().enumerate().take(i + 1).skip(first) {
+            *entry = old.get(j) * gap.get(i - j) / whole.clone();
         }
     }))
 }

@@ -1,6 +1,9 @@
 //! Stretching: the same form over another window; splitting is two stretches.
 
-use pforms_kernel::{Error, Form, Matrix, Result, Scalar, blossom_row};
+#![allow(clippy::inline_always, reason = "only what is inlined is compiled for the wider vectors")]
+
+use pforms_kernel::lanes::Job;
+use pforms_kernel::{Error, Form, Matrix, Result, Scalar};
 
 use super::along::act_along;
 
@@ -39,23 +42,69 @@ pub fn stretch<S: Scalar>(form: &Form<S>, a: &[S], b: &[S]) -> Result<Form<S>> {
 pub fn split<S: Scalar>(form: &Form<S>, axis: usize, t: &S) -> Result<(Form<S>, Form<S>)> {
     form.require_axis(axis)?;
     require_finite("t", std::slice::from_ref(t))?;
-    let degree = form.orders()[axis] - 1;
-    let low = form.along_affine(axis, &stretch_matrix(degree, &S::zero(), t))?;
-    let high = form.along_affine(axis, &stretch_matrix(degree, t, &S::one()))?;
-    Ok((low, high))
+    let inner = form.orders()[axis + 1..].iter().product::<usize>() * form.width();
+    let mut low = form.homogeneous().to_vec();
+    let mut high = low.clone();
+    let (order, complement) = (form.orders()[axis], S::one() - t.clone());
+    let (left, right) = (&mut low, &mut high);
+    S::in_lanes(Triangle { low: left, high: right, order, inner, weights: [&complement, t] });
+    let part = |poles: Vec<S>| -> Result<Form<S>> {
+        let part = Form::from_homogeneous(form.orders(), form.ambient(), poles)?;
+        Ok(match form.uniform_weight() {
+            Some(weight) => part.with_uniform_weight(weight),
+            None => part,
+        })
+    };
+    Ok((part(low)?, part(high)?))
+}
+
+/// The triangle of de Casteljau, whose two sides are the poles of the parts.
+struct Triangle<'a, S> {
+    /// The poles, which become those of the first part.
+    low: &'a mut [S],
+    high: &'a mut [S],
+    order: usize,
+    inner: usize,
+    /// `1 − t` and `t`.
+    weights: [&'a S; 2],
+}
+
+impl<S: Scalar> Job for Triangle<'_, S> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<const N: usize>(self) {
+        let Self { low, high, order, inner, weights: [s, t] } = self;
+        let blocks = low.chunks_exact_mut(order * inner).zip(high.chunks_exact_mut(order * inner));
+        for (low, high) in blocks {
+            for step in 1..order {
+                for i in (step..order).rev() {
+                    let (before, here) = low.split_at_mut(i * inner);
+                    for (x, left) in here[..inner].iter_mut().zip(&before[(i - 1) * inner..]) {
+                        *x = s.clone() * left.clone() + t.clone() * x.clone();
+                    }
+                }
+                let end = (order - 1) * inner;
+                high[end - step * inner..][..inner].clone_from_slice(&low[end..][..inner]);
+            }
+        }
+    }
 }
 
 /// The square matrix that takes the poles of a degree to those on the window `[a, b]`.
 pub fn stretch_matrix<S: Scalar>(degree: usize, a: &S, b: &S) -> Matrix<S> {
-    let mut entries = Vec::with_capacity((degree + 1) * (degree + 1));
-    let mut arguments = vec![a.clone(); degree];
-    for i in 0..=degree {
-        if i > 0 {
-            arguments[degree - i] = b.clone();
+    let pair = |t: &S| [S::one() - t.clone(), t.clone()];
+    let (start, end) = (pair(a), pair(b));
+    Matrix::from_writer(degree + 1, degree + 1, |i, row| {
+        row[0] = S::one();
+        for step in 1..=degree {
+            let [s, t] = if step <= degree - i { &start } else { &end };
+            for k in (1..=step).rev() {
+                row[k] = s.clone() * row[k].clone() + t.clone() * row[k - 1].clone();
+            }
+            row[0] = s.clone() * row[0].clone();
         }
-        entries.extend(blossom_row(&arguments));
-    }
-    Matrix::from_rule(degree + 1, degree + 1, |i, j| entries[i * (degree + 1) + j].clone())
+    })
 }
 
 fn require_finite<S: Scalar>(argument: &str, values: &[S]) -> Result<()> {

@@ -1,8 +1,10 @@
 //! Subdivision: the control nets of the halves of halves.
 
+#![allow(clippy::inline_always, reason = "only what is inlined is compiled for the wider vectors")]
+
+use pforms_kernel::lanes::Job;
 use pforms_kernel::{Form, Matrix, Result, Scalar, limit};
 
-use super::along::act_along;
 use super::partition::parts;
 use super::{Piecewise, partition};
 
@@ -28,15 +30,17 @@ pub fn subdivide<S: Scalar>(form: &Form<S>, r: &[u32]) -> Result<Piecewise<S>> {
         orders.push(degree.saturating_mul(parts("r", levels)?).saturating_add(1));
     }
     limit::check::<S>("the refined net", &orders, form.width())?;
-    let axes = (0..form.axes()).filter(|&axis| r[axis] > 0);
-    let net = act_along(
-        form,
-        axes,
-        |axis| (degrees[axis], r[axis]),
-        |&(degree, levels)| subdivision_matrix(degree, levels),
-    )?;
-    let breaks = r.iter().map(|&levels| partition(&S::zero(), &S::one(), levels));
-    Piecewise::new(net, degrees, breaks.collect::<Result<_>>()?)
+    let mut poles = form.homogeneous().to_vec();
+    let mut breaks = Vec::with_capacity(r.len());
+    let mut inner = form.width() * form.orders().iter().product::<usize>();
+    for (axis, &levels) in r.iter().enumerate() {
+        inner /= form.orders()[axis];
+        if levels > 0 {
+            poles = halved(&poles, degrees[axis], orders[axis], inner);
+        }
+        breaks.push(partition(&S::zero(), &S::one(), levels)?);
+    }
+    Piecewise::new(Form::from_homogeneous(&orders, form.ambient(), poles)?, degrees, breaks)
 }
 
 /// The matrix of subdivision at level `r`: `degree·2^r + 1` rows, `degree + 1` columns.
@@ -45,45 +49,73 @@ pub fn subdivide<S: Scalar>(form: &Form<S>, r: &[u32]) -> Result<Piecewise<S>> {
 ///
 /// Errors: `Limit`.
 pub fn subdivision_matrix<S: Scalar>(degree: usize, r: u32) -> Result<Matrix<S>> {
-    let rows = degree.saturating_mul(parts("r", r)?).saturating_add(1);
-    limit::check::<S>("the subdivision matrix", &[rows, degree + 1], 1)?;
-    let mut net: Vec<S> = identity(degree + 1);
-    for _ in 0..r {
-        net = halved(&net, degree);
+    let (rows, columns) = (degree.saturating_mul(parts("r", r)?).saturating_add(1), degree + 1);
+    limit::check::<S>("the subdivision matrix", &[rows, columns], 1)?;
+    let unit = |k: usize| if k.is_multiple_of(columns + 1) { S::one() } else { S::zero() };
+    let identity: Vec<S> = (0..columns * columns).map(unit).collect();
+    let net = halved(&identity, degree, rows, columns);
+    Ok(Matrix::from_rule(rows, columns, |i, j| net[i * columns + j].clone()))
+}
+
+/// The poles of lines of the given degree, halved until there are `order` of them.
+fn halved<S: Scalar>(poles: &[S], degree: usize, order: usize, inner: usize) -> Vec<S> {
+    let line = (degree + 1) * inner;
+    let mut net = vec![S::zero(); poles.len() / line * order * inner];
+    for (target, source) in net.chunks_exact_mut(order * inner).zip(poles.chunks_exact(line)) {
+        target[..line].clone_from_slice(source);
     }
-    Ok(Matrix::from_rule(rows, degree + 1, |i, j| net[i * (degree + 1) + j].clone()))
+    S::in_lanes(Halving { net: &mut net, degree, order, inner });
+    net
 }
 
-fn identity<S: Scalar>(size: usize) -> Vec<S> {
-    let entry = |k| if k / size == k % size { S::one() } else { S::zero() };
-    (0..size * size).map(entry).collect()
+/// Halves each piece of a net in its place, until the pieces lie end to end.
+struct Halving<'a, S> {
+    net: &'a mut [S],
+    degree: usize,
+    order: usize,
+    inner: usize,
 }
 
-/// The rows of the halves of pieces that share their end rows.
-fn halved<S: Scalar>(net: &[S], degree: usize) -> Vec<S> {
-    let size = degree + 1;
-    let mut halves = Vec::with_capacity(2 * net.len());
-    // A constant has a single pole, which no two pieces share.
-    for start in (0..(net.len() / size).saturating_sub(1).max(1)).step_by(degree.max(1)) {
-        halves.truncate(halves.len().saturating_sub(size));
-        push_halves(net[start * size..][..size * size].to_vec(), size, &mut halves);
-    }
-    halves
-}
+impl<S: Scalar> Job for Halving<'_, S> {
+    type Output = ();
 
-/// The triangle of de Casteljau at ½: its two sides are the poles of the halves, which meet in one.
-fn push_halves<S: Scalar>(mut level: Vec<S>, size: usize, net: &mut Vec<S>) {
-    let start = net.len();
-    net.resize(start + (2 * size - 1) * size, S::zero());
-    let places = &mut net[start..];
-    let half = S::ratio(1, 2);
-    for step in 0..size {
-        let last = size - 1 - step;
-        places[step * size..][..size].clone_from_slice(&level[..size]);
-        places[(2 * (size - 1) - step) * size..][..size]
-            .clone_from_slice(&level[last * size..][..size]);
-        for k in 0..last * size {
-            level[k] = half.clone() * (level[k].clone() + level[k + size].clone());
+    #[inline(always)]
+    fn run<const N: usize>(self) {
+        let Self { net, degree, order, inner } = self;
+        for block in net.chunks_exact_mut(order * inner) {
+            let mut span = order - 1;
+            while span > degree {
+                for start in (0..order - 1).step_by(span) {
+                    split(&mut block[start * inner..], degree, span / 2, inner);
+                }
+                span /= 2;
+            }
         }
+    }
+}
+
+/// The triangle of de Casteljau at ½: the first poles of `lines` become those of the first half;
+/// those of the second begin `half` lines on.
+#[inline(always)]
+fn split<S: Scalar>(lines: &mut [S], degree: usize, half: usize, inner: usize) {
+    let middle = S::ratio(1, 2);
+    for step in 1..=degree {
+        copy_line(lines, degree, half + degree - step + 1, inner);
+        for i in (step..=degree).rev() {
+            let (before, here) = lines.split_at_mut(i * inner);
+            for (x, left) in here[..inner].iter_mut().zip(&before[(i - 1) * inner..]) {
+                *x = middle.clone() * (left.clone() + x.clone());
+            }
+        }
+    }
+    copy_line(lines, degree, half, inner);
+}
+
+/// Copies a line over one that is not before it.
+#[inline(always)]
+fn copy_line<S: Scalar>(lines: &mut [S], from: usize, to: usize, inner: usize) {
+    if from < to {
+        let (before, after) = lines.split_at_mut(to * inner);
+        after[..inner].clone_from_slice(&before[from * inner..][..inner]);
     }
 }

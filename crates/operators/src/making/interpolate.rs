@@ -3,6 +3,7 @@
 use pforms_kernel::{Error, Form, Matrix, Result, Scalar, blossom_row};
 
 use super::Nodes;
+use super::known_nodes::known;
 use super::twofold::Twofold;
 use super::vandermonde::{Vandermonde, Window};
 
@@ -24,9 +25,8 @@ use super::vandermonde::{Vandermonde, Window};
 /// # Ok::<(), pforms_kernel::Error>(())
 /// ```
 pub fn interpolate<S: Scalar>(net: &Form<S>, nodes: &Nodes<S>) -> Result<Form<S>> {
-    let points = Form::from_points(net.orders(), net.ambient(), &net.points()?, None)?;
-    let curve = interpolate_homogeneous(&points, nodes)?;
-    Ok(curve.with_uniform_weight(&S::one()))
+    let poles = through(net, net.points()?, nodes)?;
+    Form::from_points(net.orders(), net.ambient(), &poles, None)
 }
 
 /// The form whose homogeneous points at the nodes are the homogeneous poles of `net`.
@@ -35,31 +35,46 @@ pub fn interpolate<S: Scalar>(net: &Form<S>, nodes: &Nodes<S>) -> Result<Form<S>
 /// result is rational when the net is. Accuracy and errors as [`interpolate`]; directions in the
 /// net are welcome.
 pub fn interpolate_homogeneous<S: Scalar>(net: &Form<S>, nodes: &Nodes<S>) -> Result<Form<S>> {
+    let poles = through(net, net.homogeneous().to_vec(), nodes)?;
+    Form::from_homogeneous(net.orders(), net.ambient(), poles)
+}
+
+/// The poles of the form through `points`, laid out like those of the net.
+fn through<S: Scalar>(net: &Form<S>, mut points: Vec<S>, nodes: &Nodes<S>) -> Result<Vec<S>> {
     if let Nodes::Given(lists) = nodes {
         net.require_per_axis("nodes", lists)?;
     }
-    (0..net.axes()).try_fold(net.clone(), |form, axis| {
-        let order = net.orders()[axis];
+    let mut inner = points.len();
+    for (axis, &order) in net.orders().iter().enumerate() {
+        inner /= order;
+        if let Some(factors) = known(nodes, order) {
+            factors.solve(&mut points, inner);
+            continue;
+        }
         let list = match nodes {
             Nodes::Uniform => Nodes::<Twofold<S>>::Uniform.on_axis(axis, order)?,
             nodes => nodes.on_axis(axis, order)?.into_iter().map(Twofold::from_plain).collect(),
         };
-        through_axis(&form, axis, &list)
-    })
+        points = through_axis(&points, axis, &list, inner)?;
+    }
+    Ok(points)
 }
 
 /// Solves along one axis, for all lines at once.
-fn through_axis<S: Scalar>(form: &Form<S>, axis: usize, nodes: &[Twofold<S>]) -> Result<Form<S>> {
+fn through_axis<S: Scalar>(
+    points: &[S],
+    axis: usize,
+    nodes: &[Twofold<S>],
+    inner: usize,
+) -> Result<Vec<S>> {
     let sorting = sorting(axis, nodes)?;
     let window = window(sorting.iter().map(|&i| nodes[i].clone()).collect());
-    let inner = form.orders()[axis + 1..].iter().product::<usize>() * form.width();
-    let mut poles = permuted(form.homogeneous(), &sorting, inner);
+    let mut poles = permuted(points, &sorting, inner);
     Vandermonde::new(&window).solve(&mut poles, inner);
-    let solved = Form::from_homogeneous(form.orders(), form.ambient(), poles)?;
     if window.start.is_zero() && window.end == Twofold::one() {
-        return Ok(solved);
+        return Ok(poles);
     }
-    solved.along(axis, &back_to_unit(&window))
+    back_to_unit(&window).act(&poles, inner)
 }
 
 /// Indices that put the nodes in increasing order.

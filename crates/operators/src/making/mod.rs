@@ -3,6 +3,7 @@
 mod fit;
 mod fit_parameters;
 mod interpolate;
+mod known_nodes;
 mod least_squares;
 mod nodes;
 

@@ -7,17 +7,21 @@
 //! `|p̂ − p| ≤ c·ε·|A⁻¹|·|q|` in each component: as right as the data themselves. The factors are
 //! powers and long products, so they are made in twofold precision and rounded once.
 
+#![allow(clippy::inline_always, reason = "only what is inlined is compiled for the wider vectors")]
+
+use pforms_kernel::lanes::Job;
 use pforms_kernel::{Scalar, pascal_row};
 
 use super::twofold::Twofold;
 
 /// The factors of one axis: computed once, applied to every line.
+#[derive(Debug)]
 pub(crate) struct Vandermonde<S> {
-    /// `below[i][j]` eliminates column `j` from row `i`, for `j < i`.
-    below: Vec<Vec<S>>,
+    /// Column `j`, from row `j + 1` on, of what eliminates below the diagonal; one after another.
+    below: Vec<S>,
     pivots: Vec<S>,
-    /// `above[i][j]` does the same for the transposed matrix.
-    above: Vec<Vec<S>>,
+    /// The same for the transposed matrix.
+    above: Vec<S>,
 }
 
 /// Strictly increasing nodes and a window that holds them.
@@ -85,42 +89,108 @@ impl<S: Scalar> Vandermonde<S> {
     pub(crate) fn new(window: &Window<Twofold<S>>) -> Self {
         let degree = window.nodes.len() - 1;
         let choices = pascal_row(degree);
-        let rounded = |row: Vec<Twofold<S>>| row.iter().map(Twofold::to_plain).collect();
+        let rounded = |row: Vec<Twofold<S>>| row.iter().map(Twofold::to_plain).collect::<Vec<S>>();
+        let rows = |multipliers: &dyn Fn(usize) -> Vec<Twofold<S>>| -> Vec<Vec<S>> {
+            (0..=degree).map(|i| rounded(multipliers(i))).collect()
+        };
         Self {
-            below: (0..=degree).map(|i| rounded(window.multipliers_below(i, degree))).collect(),
+            below: columns(&rows(&|i| window.multipliers_below(i, degree))),
             pivots: rounded(window.pivots(&choices)),
-            above: (0..=degree).map(|i| rounded(window.multipliers_above(i, degree))).collect(),
+            above: columns(&rows(&|i| window.multipliers_above(i, degree))),
         }
     }
 
     /// Replaces the points of an array of shape `(·, order, inner)` by poles, in place.
+    ///
+    /// Many short lines are laid side by side before, so that they are solved together.
     pub(crate) fn solve(&self, array: &mut [S], inner: usize) {
-        let order = self.pivots.len();
-        for block in array.chunks_exact_mut(order * inner) {
-            for j in 0..order - 1 {
-                for i in (j + 1..order).rev() {
-                    let (before, here) = block.split_at_mut(i * inner);
-                    subtract(&mut here[..inner], &self.below[i][j], &before[(i - 1) * inner..]);
-                }
+        let block = self.pivots.len() * inner;
+        if inner >= SHORT || array.len() == block {
+            for block in array.chunks_exact_mut(block) {
+                S::in_lanes(Elimination { factors: self, block, inner });
             }
-            for (line, pivot) in block.chunks_exact_mut(inner).zip(&self.pivots) {
-                for x in line {
-                    *x = x.clone() / pivot.clone();
-                }
+            return;
+        }
+        let count = array.len() / block;
+        let mut together = vec![S::zero(); array.len()];
+        for (line, point) in array.chunks_exact(inner).enumerate() {
+            let place = (line % self.pivots.len() * count + line / self.pivots.len()) * inner;
+            together[place..][..inner].clone_from_slice(point);
+        }
+        S::in_lanes(Elimination { factors: self, block: &mut together, inner: count * inner });
+        for (line, point) in array.chunks_exact_mut(inner).enumerate() {
+            let place = (line % self.pivots.len() * count + line / self.pivots.len()) * inner;
+            point.clone_from_slice(&together[place..][..inner]);
+        }
+    }
+}
+
+/// Numbers that fill a vector of any machine.
+const SHORT: usize = 8;
+
+/// The columns of a lower triangle, without its diagonal, one after another.
+fn columns<S: Clone>(rows: &[Vec<S>]) -> Vec<S> {
+    (0..rows.len()).flat_map(|j| rows[j + 1..].iter().map(move |row| row[j].clone())).collect()
+}
+
+/// The elimination of one block of lines of `inner` numbers.
+struct Elimination<'a, S> {
+    factors: &'a Vandermonde<S>,
+    block: &'a mut [S],
+    inner: usize,
+}
+
+impl<S: Scalar> Job for Elimination<'_, S> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<const N: usize>(self) {
+        match self.inner {
+            3 => self.eliminate::<3>(),
+            4 => self.eliminate::<4>(),
+            _ => self.eliminate::<0>(),
+        }
+    }
+}
+
+impl<S: Scalar> Elimination<'_, S> {
+    /// The same with the length of a line known to the compiler, unless it is 0.
+    #[inline(always)]
+    fn eliminate<const W: usize>(self) {
+        let Self { factors, block, inner } = self;
+        let order = factors.pivots.len();
+        let mut start = 0;
+        for j in 0..order - 1 {
+            let column = &factors.below[start..][..order - 1 - j];
+            for (i, factor) in (j + 1..order).zip(column).rev() {
+                let (before, here) = block.split_at_mut(i * inner);
+                subtract::<S, W>(&mut here[..inner], factor, &before[(i - 1) * inner..]);
             }
-            for j in (0..order - 1).rev() {
-                for i in j + 1..order {
-                    let (before, here) = block.split_at_mut(i * inner);
-                    subtract(&mut before[(i - 1) * inner..], &self.above[i][j], &here[..inner]);
-                }
+            start += column.len();
+        }
+        for (line, pivot) in block.chunks_exact_mut(inner).zip(&factors.pivots) {
+            for x in line {
+                *x = x.clone() / pivot.clone();
+            }
+        }
+        for j in (0..order - 1).rev() {
+            start -= order - 1 - j;
+            let column = &factors.above[start..][..order - 1 - j];
+            for (i, factor) in (j + 1..order).zip(column) {
+                let (before, here) = block.split_at_mut(i * inner);
+                subtract::<S, W>(&mut before[(i - 1) * inner..], factor, &here[..inner]);
             }
         }
     }
 }
 
-fn subtract<S: Scalar>(target: &mut [S], factor: &S, source: &[S]) {
-    if !factor.is_zero() {
-        S::add_multiple(target, &-factor.clone(), source);
+/// `target −= factor · source`, over the first `W` numbers, or over all.
+#[inline(always)]
+fn subtract<S: Scalar, const W: usize>(target: &mut [S], factor: &S, source: &[S]) {
+    match W {
+        _ if factor.is_zero() => {}
+        0 => S::add_multiple(target, &-factor.clone(), source),
+        _ => S::add_multiple(&mut target[..W], &-factor.clone(), &source[..W]),
     }
 }
 
