@@ -11,7 +11,15 @@
 //! reaches over its edges in that plane. Points that move along an edge, because the parameter
 //! does not run evenly, cost nothing.
 
-use super::curvature::{Scratch, curvature};
+#![allow(
+    clippy::inline_always,
+    clippy::needless_range_loop,
+    reason = "only what is inlined is compiled for the wider sets; lanes are counted, not iterated"
+)]
+
+use pforms_kernel::lanes::{Job, in_lanes};
+
+use super::curvature::{Scratch, curvature, curvature_here, restrict_here};
 use super::net::{Net, Quadruple};
 use crate::vector::{Vec3, cross, dot, norm, subtract};
 
@@ -25,6 +33,7 @@ pub(crate) struct Facet {
 
 impl Facet {
     /// The step in the box along the edge from one corner to the next.
+    #[inline(always)]
     fn step(&self, from: usize) -> [f64; 2] {
         let [a, b] = [self.at[from], self.at[(from + 1) % 3]];
         [b[0] - a[0], b[1] - a[1]]
@@ -58,6 +67,27 @@ pub(crate) struct Seen {
     shares: [[f64; 4]; 2],
 }
 
+/// Looks along the normal of a triangle: the least weight, and whether that was enough.
+struct Look<'a> {
+    seen: &'a mut Seen,
+    strip: &'a Net,
+    columns: [f64; 2],
+    facet: &'a Facet,
+    scratch: &'a mut Scratch,
+}
+
+impl Job for Look<'_> {
+    type Output = (f64, bool);
+
+    #[inline(always)]
+    fn run<const N: usize>(self) -> (f64, bool) {
+        let weights = restrict_here(self.strip, self.columns, self.scratch);
+        let enough =
+            weights[0] > 0.0 && self.seen.see(self.strip, self.facet, weights, self.scratch);
+        (weights[0], enough)
+    }
+}
+
 impl Seen {
     /// Bounds the distance between a triangle and any point of the surface over it.
     ///
@@ -70,18 +100,19 @@ impl Seen {
     pub(crate) fn look(
         &mut self,
         strip: &Net,
+        columns: [f64; 2],
         facet: &Facet,
-        weights: [f64; 2],
         scratch: &mut Scratch,
     ) -> Option<Unseen> {
-        if weights[0] <= 0.0 {
+        let (least, single) = in_lanes(Look { seen: self, strip, columns, facet, scratch });
+        if least <= 0.0 {
             return Some(Unseen { distance: f64::INFINITY, shares: [1.0; 2] });
         }
-        let single = self.see(strip, facet, weights, scratch);
-        (!single).then(|| at_same_parameters(strip, facet, weights[0], scratch))
+        (!single).then(|| at_same_parameters(strip, facet, least, scratch))
     }
 
     /// Does every point lie over one edge at most?
+    #[inline(always)]
     fn see(
         &mut self,
         strip: &Net,
@@ -109,7 +140,7 @@ impl Seen {
             columns[3][k] = -dot(*way, *base);
             lengths[k] = dot(*way, *way).sqrt();
         }
-        let curvature = curvature(strip, &columns, scratch);
+        let curvature = curvature_here(strip, &columns, scratch);
         let steps = [facet.step(0), facet.step(1), facet.step(2)];
         let edges =
             [curvature.along(steps[0]), curvature.along(steps[1]), curvature.along(steps[2])];
@@ -117,14 +148,16 @@ impl Seen {
         let height = highest([edges[0][0], edges[1][0], edges[2][0]]) + spread[0] / 8.0;
         let (mut over, mut sliver) = ([0.0; 3], [0.0; 3]);
         for k in 0..3 {
-            let [edge, next, last] = [k, (k + 1) % 3, (k + 2) % 3].map(|edge| edges[edge][k + 1]);
+            let (next, last) = (edges[(k + 1) % 3][k + 1], edges[(k + 2) % 3][k + 1]);
+            let edge = edges[k][k + 1];
             let own = (-edge).max(0.0) + curvature.spread_along(steps[k])[k + 1];
             over[k] = own / (8.0 * weights[0] * lengths[k + 1]);
             let others = next.abs().max(last.abs()) + edge.abs() / 4.0;
             let inside = size * weights[0] - 0.5 * (others + spread[k + 1]);
             sliver[k] = if inside > 0.0 { own / (2.0 * inside) } else { f64::INFINITY };
         }
-        if (0..3).any(|k| sliver[k] * sliver[(k + 1) % 3] >= 1.0) {
+        let most = sliver[0] * sliver[1];
+        if most.max(sliver[1] * sliver[2]).max(sliver[2] * sliver[0]) >= 1.0 {
             return false;
         }
         let mut shares = [curvature.largest(0), curvature.largest(2)];
@@ -142,12 +175,17 @@ impl Seen {
 
     /// What either axis has in the distance beside an edge.
     pub(crate) fn shares(&self, edge: usize) -> [f64; 2] {
-        self.shares.map(|share| share[0].hypot(share[edge + 1]))
+        self.shares.map(|share| (share[0] * share[0] + share[edge + 1] * share[edge + 1]).sqrt())
     }
 
     /// The distance from the triangle itself.
     pub(crate) fn alone(&self, edge: usize) -> f64 {
         (self.height * self.height + self.over[edge] * self.over[edge]).sqrt()
+    }
+
+    /// Does what reaches over an edge count beside the height?
+    pub(crate) fn reaches_over(&self, edge: usize) -> bool {
+        self.over[edge] > 0.3 * self.height
     }
 
     /// The distance when what reaches over `edge` comes to lie over the neighbour there, whose
@@ -227,12 +265,13 @@ fn at_same_parameters(strip: &Net, facet: &Facet, least: f64, scratch: &mut Scra
 }
 
 /// The maximum of `½·|λ₀λ₁·a + λ₁λ₂·b + λ₂λ₀·c|` over the triangle.
+#[inline(always)]
 fn highest([a, b, c]: [f64; 3]) -> f64 {
     let mut highest = a.abs().max(b.abs()).max(c.abs()) / 8.0;
     // Inside, the gradient vanishes at barycentric coordinates with these ratios.
     let inner = [b * (a + c - b), c * (a + b - c), a * (b + c - a)];
-    let sum: f64 = inner.iter().sum();
-    if inner.iter().all(|x| x * sum > 0.0) {
+    let sum = inner[0] + inner[1] + inner[2];
+    if inner[0] * sum > 0.0 && inner[1] * sum > 0.0 && inner[2] * sum > 0.0 {
         highest = highest.max((a * b * c / (2.0 * sum)).abs());
     }
     highest

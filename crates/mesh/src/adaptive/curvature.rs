@@ -34,20 +34,19 @@ impl Scratch {
 ///
 /// Returns the least and the greatest of its weights.
 pub(crate) fn restrict(strip: &Net, columns: [f64; 2], scratch: &mut Scratch) -> [f64; 2] {
-    in_lanes(Restriction { strip, columns, cell: &mut scratch.cell })
+    in_lanes(Restriction { strip, columns, scratch })
 }
 
 /// The second derivatives of the functions whose values at a pole are `pole · columns`, on the
 /// part taken last.
 pub(crate) fn curvature(strip: &Net, columns: &[Quadruple; 4], scratch: &mut Scratch) -> Curvature {
-    let Scratch { cell, values } = scratch;
-    in_lanes(Seen { width: strip.columns, columns, cell, values }).curvature(strip)
+    in_lanes(Measurement { strip, columns, scratch })
 }
 
 struct Restriction<'a> {
     strip: &'a Net,
     columns: [f64; 2],
-    cell: &'a mut Vec<Quadruple>,
+    scratch: &'a mut Scratch,
 }
 
 impl Job for Restriction<'_> {
@@ -55,52 +54,80 @@ impl Job for Restriction<'_> {
 
     #[inline(always)]
     fn run<const N: usize>(self) -> [f64; 2] {
-        self.cell.clone_from(&self.strip.poles);
-        let range = self.columns;
-        // A constant width lets the compiler unroll what it knows.
-        match self.strip.columns {
-            3 => self.cell.as_chunks_mut::<3>().0.iter_mut().for_each(|row| narrow(row, range)),
-            4 => self.cell.as_chunks_mut::<4>().0.iter_mut().for_each(|row| narrow(row, range)),
-            width => self.cell.chunks_exact_mut(width).for_each(|row| narrow(row, range)),
-        }
-        let mut weights = [f64::INFINITY, f64::NEG_INFINITY];
-        for pole in self.cell.iter() {
-            weights = [weights[0].min(pole[3]), weights[1].max(pole[3])];
-        }
-        weights
+        restrict_here(self.strip, self.columns, self.scratch)
     }
 }
 
-struct Seen<'a> {
-    width: usize,
+struct Measurement<'a> {
+    strip: &'a Net,
     columns: &'a [Quadruple; 4],
-    cell: &'a [Quadruple],
-    values: &'a mut Vec<Quadruple>,
+    scratch: &'a mut Scratch,
 }
 
-impl Job for Seen<'_> {
-    type Output = Ranges;
+impl Job for Measurement<'_> {
+    type Output = Curvature;
 
     #[inline(always)]
-    fn run<const N: usize>(self) -> Ranges {
-        self.values.clear();
-        for pole in self.cell {
-            let [x, y, z, w] = *pole;
-            let [a, b, c, d] = self.columns;
-            let mut value = [0.0; 4];
-            for k in 0..4 {
-                value[k] = (x * a[k] + y * b[k]) + (z * c[k] + w * d[k]);
-            }
-            self.values.push(value);
-        }
-        let mut ranges = Ranges([Range::EMPTY; 3]);
-        match self.width {
-            3 => ranges.include(self.values.as_chunks::<3>().0.iter().map(|row| &row[..])),
-            4 => ranges.include(self.values.as_chunks::<4>().0.iter().map(|row| &row[..])),
-            width => ranges.include(self.values.chunks_exact(width)),
-        }
-        ranges
+    fn run<const N: usize>(self) -> Curvature {
+        curvature_here(self.strip, self.columns, self.scratch)
     }
+}
+
+/// [`restrict`] inside a job.
+#[inline(always)]
+pub(crate) fn restrict_here(strip: &Net, range: [f64; 2], scratch: &mut Scratch) -> [f64; 2] {
+    let cell = &mut scratch.cell;
+    cell.resize(strip.poles.len(), [0.0; 4]);
+    // A constant width lets the compiler unroll what it knows, and keep a row in registers.
+    match strip.columns {
+        3 => narrow_rows::<3>(strip, range, cell),
+        4 => narrow_rows::<4>(strip, range, cell),
+        width => {
+            cell.copy_from_slice(&strip.poles);
+            for row in cell.chunks_exact_mut(width) {
+                narrow(row, range);
+            }
+        }
+    }
+    let mut weights = [f64::INFINITY, f64::NEG_INFINITY];
+    for pole in cell.iter() {
+        weights = [weights[0].min(pole[3]), weights[1].max(pole[3])];
+    }
+    weights
+}
+
+#[inline(always)]
+fn narrow_rows<const W: usize>(strip: &Net, range: [f64; 2], cell: &mut [Quadruple]) {
+    let rows = strip.poles.as_chunks::<W>().0;
+    for (to, from) in cell.as_chunks_mut::<W>().0.iter_mut().zip(rows) {
+        let mut row = *from;
+        narrow(&mut row, range);
+        *to = row;
+    }
+}
+
+/// [`curvature`] inside a job.
+#[inline(always)]
+pub(crate) fn curvature_here(
+    strip: &Net,
+    columns: &[Quadruple; 4],
+    scratch: &mut Scratch,
+) -> Curvature {
+    let Scratch { cell, values } = scratch;
+    let [a, b, c, d] = columns;
+    values.resize(cell.len(), [0.0; 4]);
+    for (value, [x, y, z, w]) in values.iter_mut().zip(cell.iter()) {
+        for k in 0..4 {
+            value[k] = (x * a[k] + y * b[k]) + (z * c[k] + w * d[k]);
+        }
+    }
+    let mut ranges = Ranges([Range::EMPTY; 3]);
+    match strip.columns {
+        3 => ranges.include(values.as_chunks::<3>().0.iter().map(|row| &row[..])),
+        4 => ranges.include(values.as_chunks::<4>().0.iter().map(|row| &row[..])),
+        width => ranges.include(values.chunks_exact(width)),
+    }
+    ranges.curvature(strip)
 }
 
 /// Least and greatest second differences: down the columns, across, and along the rows.
@@ -129,6 +156,7 @@ impl Ranges {
     }
 
     /// The second derivatives that belong to these differences.
+    #[inline(always)]
     fn curvature(&self, net: &Net) -> Curvature {
         let [n, m] = [net.rows as f64 - 1.0, net.columns as f64 - 1.0];
         let factors = [n * (n - 1.0), n * m, m * (m - 1.0)];
@@ -148,21 +176,25 @@ impl Ranges {
 
 impl Curvature {
     /// The second derivative along a step in the box, by the means.
+    #[inline(always)]
     pub(crate) fn along(&self, [u, v]: [f64; 2]) -> Quadruple {
         combined(&self.mean, [u * u, 2.0 * u * v, v * v])
     }
 
     /// How far the second derivative along a step may be off.
+    #[inline(always)]
     pub(crate) fn spread_along(&self, [u, v]: [f64; 2]) -> Quadruple {
         combined(&self.spread, [u * u, 2.0 * (u * v).abs(), v * v])
     }
 
     /// How far the sum of all second derivatives may be off.
+    #[inline(always)]
     pub(crate) fn spread_sum(&self) -> Quadruple {
         combined(&self.spread, [1.0, 2.0, 1.0])
     }
 
     /// The largest second derivatives of one kind.
+    #[inline(always)]
     pub(crate) fn largest(&self, kind: usize) -> Quadruple {
         let mut largest = self.spread[kind];
         for (sum, mean) in largest.iter_mut().zip(self.mean[kind]) {
@@ -172,6 +204,7 @@ impl Curvature {
     }
 }
 
+#[inline(always)]
 fn combined(of: &[Quadruple; 3], factors: [f64; 3]) -> Quadruple {
     let mut sum = [0.0; 4];
     for k in 0..4 {

@@ -22,8 +22,8 @@ const UNEVEN: f64 = 1.25;
 /// Up to this many tolerances off, one axis can mend it.
 const SMALL: f64 = 1.5;
 
-/// Growth beyond what a distance asks for, lest it be asked again.
-const MARGIN: f64 = 1.01;
+/// Growth beyond what a distance asks for, lest it be asked again: the first time, and then.
+const MARGINS: [f64; 2] = [1.01, 1.04];
 
 /// What a patch is told about one of its borders `u = 0`, `u = 1`, `v = 0`, `v = 1`.
 pub(crate) struct Border<'a> {
@@ -344,12 +344,14 @@ impl Layout<'_> {
     /// How many tolerances off the surface is at most, and what would mend it; the neighbours over
     /// edge 0 and the exit are told by their third corners.
     fn off(&self, seen: &Seen, exit: usize, beside: [Option<u32>; 2]) -> (f64, [f64; 2]) {
-        let mut far = (0.0, 0);
+        let mut far = (0.0_f64, 0);
+        let enough = if self.coarser { 0.0 } else { self.tolerance };
         for (edge, apex) in [(0, beside[0]), (exit, beside[1]), (3 - exit, None)] {
             let mut distance = seen.alone(edge);
             // A neighbour can only help, and need not where all is well.
             if let Some(apex) = apex
-                && distance > if self.coarser { far.0 } else { self.tolerance.max(far.0) }
+                && distance > far.0.max(enough)
+                && seen.reaches_over(edge)
             {
                 distance = seen.beside(edge, self.draft.places[apex as usize]);
             }
@@ -396,13 +398,12 @@ impl Layout<'_> {
         let local = |t: f64, [a, b]: [f64; 2]| if b > a { (t - a) / (b - a) } else { 0.0 };
         let at = at.map(|[u, v]| [local(u, rows), local(v, columns)]);
         let facet = Facet { at, places };
-        let weights = restrict(&self.strip.0, columns, &mut self.scratch);
         // One for each link, written where it stays.
         if self.seen.len() == self.links.len() {
             self.seen.push(Seen::default());
         }
         let seen = &mut self.seen[self.links.len()];
-        (ranges, seen.look(&self.strip.0, &facet, weights, &mut self.scratch))
+        (ranges, seen.look(&self.strip.0, columns, &facet, &mut self.scratch))
     }
 
     /// Adds a triangle of a fan between two borders.
@@ -437,8 +438,9 @@ impl Layout<'_> {
         if off <= 1.0 && !self.coarser {
             return;
         }
+        let margin = MARGINS[usize::from(!self.coarser)];
         for ((source, [a, b]), growth) in sources.into_iter().zip(ranges).zip(growth) {
-            let wish = MARGIN * growth * source.surplus;
+            let wish = margin * growth * source.surplus;
             // A little overlap with the next interval asks for nothing there.
             let first = (a * CELLS as f64 + 0.1) as usize;
             let last = ((b * CELLS as f64 - 0.1).ceil() as usize).clamp(first + 1, CELLS);
