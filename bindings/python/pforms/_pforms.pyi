@@ -249,6 +249,7 @@ def grid(
     normals: Literal[True],
     out: tuple[_Array, _Array] | None = None,
 ) -> tuple[_Array, _Array]: ...
+
 # Of a curve a Polyline: what a form is, its type does not tell.
 @overload
 def tessellate(
