@@ -96,6 +96,46 @@ fn neighbours_of_different_fineness_meet_without_cracks() {
 }
 
 #[test]
+fn size_changes_no_triangle() {
+    let sphere = whole_sphere();
+    let meshes = surfaces(&sphere, &Sampling::Tolerance(0.01)).unwrap();
+    for unit in [2.0_f64.powi(-400), 2.0_f64.powi(400)] {
+        let scaled = sphere.iter().map(|form| {
+            let poles = form.homogeneous().chunks(4);
+            let poles = poles.flat_map(|p| [p[0] * unit, p[1] * unit, p[2] * unit, p[3]]);
+            Form::from_homogeneous(form.orders(), 3, poles.collect()).unwrap()
+        });
+        let scaled: Vec<Form> = scaled.collect();
+        let other = surfaces(&scaled, &Sampling::Tolerance(0.01 * unit)).unwrap();
+        for (mesh, other) in meshes.iter().zip(&other) {
+            assert_eq!(mesh.indices, other.indices);
+            assert_eq!(
+                mesh.positions.concat(),
+                other.positions.concat().iter().map(|x| x / unit).collect::<Vec<_>>()
+            );
+        }
+    }
+}
+
+#[test]
+fn a_plane_takes_two_triangles_however_it_is_parametrised() {
+    // Along a straight line at uneven speed, and in other places across it.
+    let rows = [[0., 0.], [0.4, 0.], [1.0, 0.]].map(|[x, _]| [[x, 0., 0.], [x, 1., 0.]].concat());
+    let form = Form::from_points(&[3, 2], 3, &rows.concat(), None).unwrap();
+    assert_eq!(surface(&form, &Sampling::Tolerance(1e-6)).unwrap().indices.len(), 2);
+}
+
+#[test]
+fn segments_are_counted_and_none_is_dropped() {
+    let mesh = surface(&octant([1.0; 3]), &Sampling::Segments(vec![3, 5])).unwrap();
+    assert_eq!((mesh.positions.len(), mesh.indices.len()), (24, 30));
+    let refuse = |counts| surface(&octant([1.0; 3]), &Sampling::Segments(counts)).unwrap_err();
+    assert_eq!(refuse(vec![0]).family(), "Domain");
+    assert_eq!(refuse(vec![1, 2, 3]).family(), "Shape");
+    assert_eq!(refuse(vec![usize::MAX]).family(), "Limit");
+}
+
+#[test]
 fn flat_shading_gives_each_facet_its_own_normal() {
     let smooth = surface(&octant([1.0; 3]), &Sampling::Fineness(vec![2])).unwrap();
     let flat = smooth.flat();

@@ -19,7 +19,7 @@ use crate::edge::{Edge, Key};
 use crate::pieces::require_finite;
 use crate::require_room;
 use crate::sample::Sampled;
-use crate::space::{embed, require_axes};
+use crate::space::{embed, quadruples, require_axes};
 use crate::vector::Vec3;
 use field::{CELLS, Field, Profile, spread, total};
 use layout::{Border, Draft, layout};
@@ -33,10 +33,21 @@ pub(crate) fn within(forms: &[Form], tolerance: f64, normals: bool) -> Result<Ve
     if !(tolerance > 0.0 && tolerance.is_finite()) {
         return Err(Error::domain("tolerance", tolerance, "a positive length"));
     }
+    let forms: Vec<Form> = forms.iter().map(embed).collect::<Result<_>>()?;
+    let unit = unit(&forms);
+    if unit != 1.0 {
+        let forms: Vec<Form> =
+            forms.iter().map(|form| scaled(form, 1.0 / unit)).collect::<Result<_>>()?;
+        let mut meshes = within(&forms, tolerance / unit, normals)?;
+        for x in meshes.iter_mut().flat_map(|mesh| mesh.positions.as_flattened_mut()) {
+            *x *= unit;
+        }
+        return Ok(meshes);
+    }
     let mut lines = Vec::new();
     let mut known = HashMap::new();
     let mut patches: Vec<Patch> = forms
-        .iter()
+        .into_iter()
         .map(|form| Patch::new(form, tolerance, &mut lines, &mut known))
         .collect::<Result<_>>()?;
     for round in 0.. {
@@ -50,6 +61,30 @@ pub(crate) fn within(forms: &[Form], tolerance: f64, normals: bool) -> Result<Ve
         }
     }
     patches.iter().map(|patch| patch.mesh(normals)).collect()
+}
+
+/// The unit in which a bound may take fourth powers of lengths: 1 but for forms of astronomical or
+/// subatomic size, else the power of two next to the largest coordinate.
+fn unit(forms: &[Form]) -> f64 {
+    const ORDINARY: std::ops::RangeInclusive<f64> = 1e-30..=1e30;
+    let poles = forms.iter().flat_map(quadruples);
+    let largest = poles.flat_map(|pole| &pole[..3]).fold(0.0_f64, |most, x| most.max(x.abs()));
+    if largest == 0.0 || ORDINARY.contains(&largest) {
+        return 1.0;
+    }
+    // The power of two below: its exponent without the digits.
+    f64::from_bits(largest.to_bits() & f64::INFINITY.to_bits()).max(f64::MIN_POSITIVE)
+}
+
+/// The form multiplied by a power of two, which changes no digit.
+fn scaled(form: &Form, factor: f64) -> Result<Form> {
+    let mut poles = form.homogeneous().to_vec();
+    for pole in poles.as_chunks_mut::<4>().0 {
+        for x in &mut pole[..3] {
+            *x *= factor;
+        }
+    }
+    Form::from_homogeneous(form.orders(), 3, poles)
 }
 
 /// An edge that patches share, with its samples in its own direction.
@@ -77,13 +112,12 @@ struct Patch {
 
 impl Patch {
     fn new(
-        form: &Form,
+        form: Form,
         tolerance: f64,
         lines: &mut Vec<Line>,
         known: &mut HashMap<Key, usize>,
     ) -> Result<Self> {
-        require_axes(form, 2, "a surface: two axes")?;
-        let form = embed(form)?;
+        require_axes(&form, 2, "a surface: two axes")?;
         let mut net = Net::of(&form, false);
         require_finite(&form)?;
         let edges = [(0, false), (0, true), (1, false), (1, true)]
