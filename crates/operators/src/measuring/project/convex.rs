@@ -8,16 +8,18 @@
 /// `i·(F_i − F_{i−1}) + (m − i)·(F_{i+1} − F_i)`, `m` the degree.
 pub(super) fn slope(poles: &[f64], orders: &[usize], axis: usize) -> Vec<f64> {
     let inner: usize = orders[axis + 1..].iter().product();
-    let block = inner * orders[axis];
     let degree = orders[axis] - 1;
     let mut slopes = vec![0.0; poles.len()];
-    for (place, slope) in slopes.iter_mut().enumerate() {
-        let i = place % block / inner;
-        if i > 0 {
-            *slope += i as f64 * (poles[place] - poles[place - inner]);
-        }
-        if i < degree {
-            *slope += (degree - i) as f64 * (poles[place + inner] - poles[place]);
+    let blocks = poles.chunks_exact(inner * orders[axis]);
+    for (poles, slopes) in blocks.zip(slopes.chunks_exact_mut(inner * orders[axis])) {
+        for i in 0..degree {
+            let (low, high) = poles[i * inner..][..2 * inner].split_at(inner);
+            let (before, after) = slopes[i * inner..][..2 * inner].split_at_mut(inner);
+            let (left, right) = ((degree - i) as f64, (i + 1) as f64);
+            for (k, (low, high)) in low.iter().zip(high).enumerate() {
+                before[k] += left * (high - low);
+                after[k] = right * (high - low);
+            }
         }
     }
     slopes
@@ -39,20 +41,30 @@ impl Bends {
 
     /// Are all second derivatives, in every direction, at least `least` times its square length?
     pub(super) fn at_least(&self, least: f64) -> bool {
-        let count = self.coefficients.first().map_or(0, Vec::len); // a point has no directions
+        match &self.coefficients[..] {
+            [] => true,
+            [second] => second.iter().all(|x| *x > least),
+            [uu, uv, vv] => uu.iter().zip(uv).zip(vv).all(|((a, f), q)| {
+                let (a, q) = (a - least, q - least);
+                a > 0.0 && a * q > f * f
+            }),
+            [first, ..] => (0..first.len()).all(|place| self.is_definite(place, least)),
+        }
+    }
+
+    /// Is the matrix at one place positive definite, with `least` taken off its diagonal?
+    fn is_definite(&self, place: usize, least: f64) -> bool {
         let mut matrix = vec![0.0; self.axes * self.axes];
-        (0..count).all(|place| {
-            let mut entries = self.coefficients.iter();
-            for k in 0..self.axes {
-                for l in k..self.axes {
-                    let entry = entries.next().map_or(0.0, |entry| entry[place]);
-                    matrix[k * self.axes + l] = entry;
-                    matrix[l * self.axes + k] = entry;
-                }
-                matrix[k * self.axes + k] -= least;
+        let mut entries = self.coefficients.iter();
+        for k in 0..self.axes {
+            for l in k..self.axes {
+                let entry = entries.next().map_or(0.0, |entry| entry[place]);
+                matrix[k * self.axes + l] = entry;
+                matrix[l * self.axes + k] = entry;
             }
-            factorise(&mut matrix, self.axes)
-        })
+            matrix[k * self.axes + k] -= least;
+        }
+        factorise(&mut matrix, self.axes)
     }
 }
 
