@@ -52,8 +52,10 @@ test("mistakes are underlined where they are, with a hint", async () => {
   assert.equal(await studio.page.locator(".editor-mirror .wrong").innerText(), "DIAGG");
   assert.match(await studio.page.locator(".bar-message .hint").innerText(), /DIAG/);
   await studio.type("C2", "=C1");
+  await studio.waitFor("C2", /DIAGG/);
   await studio.cell("C2").click();
-  assert.match(await studio.page.locator(".bar-message").innerText(), /C1/, "an error names its origin");
+  // An error names its origin.
+  await studio.page.locator(".bar-message", { hasText: "C1" }).waitFor();
   await studio.close();
 });
 
