@@ -8,8 +8,8 @@ use std::ops::Range;
 
 use smallvec::SmallVec;
 
-use crate::lanes::Job;
 use crate::threads::fill_parts;
+use crate::vectors::{Job, Simd};
 use crate::{Matrix, Result, Scalar};
 
 /// Numbers that a group of blocks holds at most, unless a single one is larger.
@@ -79,7 +79,7 @@ impl<S: Scalar> Job for Part<'_, '_, S> {
     type Output = ();
 
     #[inline(always)]
-    fn run<const N: usize>(self) {
+    fn run<V: Simd>(self, _: V) {
         let Steps { steps, sizes } = self.steps;
         let (Some((last, others)), before) = (steps.split_last(), sizes[0]) else { return };
         if others.is_empty() {

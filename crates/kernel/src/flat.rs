@@ -14,7 +14,7 @@
 use std::slice;
 
 use crate::Scalar;
-use crate::lanes::Lanes;
+use crate::vectors::{Lanes, Simd};
 
 /// Zeros kept before and after the coefficients: one block of vectors.
 const GUARD: usize = 32;
@@ -109,21 +109,21 @@ impl<'a, S: Scalar> Flat<'a, S> {
 
     /// `self ← own·self + other·term`, each factor given by its taps in increasing order.
     ///
-    /// `N` is the number of lanes, as a [`crate::lanes::Job`] has it.
+    /// `simd` is that of a [`crate::vectors::Job`].
     #[inline(always)]
-    pub fn nest<const N: usize>(&mut self, own: &[Tap<S>], term: &Flat<'_, S>, other: &[Tap<S>]) {
+    pub fn nest<V: Simd>(&mut self, simd: V, own: &[Tap<S>], term: &Flat<'_, S>, other: &[Tap<S>]) {
         let reach = |length: usize, taps: &[Tap<S>]| length + taps.last().map_or(0, |t| t.shift);
         let length = reach(self.length, own).max(reach(term.length, other));
         let term = Factored { array: term.array, length: term.length, taps: other };
-        S::nest::<N>(self.array, self.length, own, &term, length);
+        S::nest(simd, self.array, self.length, own, &term, length);
         self.set_length(length);
     }
 
     /// `self ← own·self`.
     #[inline(always)]
-    pub fn multiply<const N: usize>(&mut self, own: &[Tap<S>]) {
+    pub fn multiply<V: Simd>(&mut self, simd: V, own: &[Tap<S>]) {
         let nothing = Flat { array: &mut [], length: 0 };
-        self.nest::<N>(own, &nothing, &[]);
+        self.nest(simd, own, &nothing, &[]);
     }
 }
 
@@ -161,85 +161,90 @@ pub(crate) fn nest<S: Scalar>(
     }
 }
 
-/// The same in vectors of `N` lanes: four of 8, or eight of fewer, at a time.
+/// The same in vectors: four of 8 numbers, or eight of fewer, at a time.
 #[inline(always)]
-pub(crate) fn nest_in_lanes<const N: usize>(
+pub(crate) fn nest_in_lanes<V: Simd>(
+    simd: V,
     array: &mut [f64],
     before: usize,
     own: &[Tap<f64>],
     term: &Factored<'_, f64>,
     length: usize,
 ) {
-    match N {
-        8 => nest_in_blocks::<N, 4>(array, before, own, term, length),
-        _ => nest_in_blocks::<N, 8>(array, before, own, term, length),
+    match V::F64_LANES {
+        8 => nest_in_blocks::<V, 4>(simd, array, before, own, term, length),
+        _ => nest_in_blocks::<V, 8>(simd, array, before, own, term, length),
     }
 }
 
 #[inline(always)]
-fn nest_in_blocks<const N: usize, const V: usize>(
+fn nest_in_blocks<V: Simd, const B: usize>(
+    simd: V,
     array: &mut [f64],
     before: usize,
     own: &[Tap<f64>],
     term: &Factored<'_, f64>,
     length: usize,
 ) {
-    let mut vectors = length.div_ceil(N);
+    let lanes = V::F64_LANES;
+    let mut vectors = length.div_ceil(lanes);
     if !vectors.is_multiple_of(2) {
         vectors -= 1;
-        block::<N, 1>(array, before, own, term, vectors * N);
+        block::<V, 1>(simd, array, before, own, term, vectors * lanes);
     }
-    while !vectors.is_multiple_of(V) {
+    while !vectors.is_multiple_of(B) {
         vectors -= 2;
-        block::<N, 2>(array, before, own, term, vectors * N);
+        block::<V, 2>(simd, array, before, own, term, vectors * lanes);
     }
     while vectors > 0 {
-        vectors -= V;
-        block::<N, V>(array, before, own, term, vectors * N);
+        vectors -= B;
+        block::<V, B>(simd, array, before, own, term, vectors * lanes);
     }
 }
 
-/// `V` vectors of the result, from coefficient `at` on.
+/// `B` vectors of the result, from coefficient `at` on.
 #[inline(always)]
-fn block<const N: usize, const V: usize>(
+fn block<V: Simd, const B: usize>(
+    simd: V,
     array: &mut [f64],
     before: usize,
     own: &[Tap<f64>],
     term: &Factored<'_, f64>,
     at: usize,
 ) {
-    let mut sum = [Lanes::<N>::ZERO; V];
+    let mut sum = [Lanes::splat(simd, 0.0); B];
     let itself = Factored { array, length: before, taps: own };
     add_taps(&mut sum, &itself, at);
     add_taps(&mut sum, term, at);
-    let target = &mut array[GUARD + at..][..V * N];
-    for v in 0..V {
-        sum[v].store(&mut target[v * N..]);
+    let target = &mut array[GUARD + at..][..B * V::F64_LANES];
+    for v in 0..B {
+        sum[v].store(&mut target[v * V::F64_LANES..]);
     }
 }
 
 #[inline(always)]
-fn add_taps<const N: usize, const V: usize>(
-    sum: &mut [Lanes<N>; V],
+fn add_taps<V: Simd, const B: usize>(
+    sum: &mut [Lanes<V>; B],
     factored: &Factored<'_, f64>,
     at: usize,
 ) {
     let Factored { array, length, mut taps } = *factored;
+    let (simd, lanes) = (sum[0].simd(), V::F64_LANES);
     while let [first, others @ ..] = taps
         && first.shift + length <= at
     {
         taps = others;
     }
     while let [others @ .., last] = taps
-        && last.shift >= at + V * N
+        && last.shift >= at + B * lanes
     {
         taps = others;
     }
     for tap in taps {
-        let source = &array[GUARD + at - tap.shift..][..V * N];
-        let factor = Lanes::splat(tap.factor);
-        for v in 0..V {
-            sum[v] = sum[v] + factor * Lanes::load(&source[v * N..]);
+        let source = &array[GUARD + at - tap.shift..][..B * lanes];
+        let factor = Lanes::splat(simd, tap.factor);
+        for v in 0..B {
+            sum[v] = sum[v] + factor * Lanes::load(simd, &source[v * lanes..]);
         }
     }
 }

@@ -6,7 +6,7 @@ use std::fmt::Debug;
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
 
 use crate::flat::{self, Factored, Tap};
-use crate::lanes::{self, Job};
+use crate::vectors::{self, Job, Simd};
 
 /// A field with an order and a way to and from `f64`.
 ///
@@ -87,13 +87,14 @@ pub trait Scalar:
     /// Does work whose inner loops are over numbers of this kind: `f64` in the widest vectors of
     /// the machine, others one after another.
     fn in_lanes<J: Job>(job: J) -> J::Output {
-        job.run::<1>()
+        vectors::in_turn(job)
     }
 
     /// The inner loop of [`Flat::nest`](crate::Flat::nest).
     #[doc(hidden)]
     #[inline(always)]
-    fn nest<const N: usize>(
+    fn nest<V: Simd>(
+        _: V,
         array: &mut [Self],
         before: usize,
         own: &[Tap<Self>],
@@ -132,17 +133,18 @@ impl Scalar for f64 {
     }
 
     fn in_lanes<J: Job>(job: J) -> J::Output {
-        lanes::in_lanes(job)
+        vectors::in_lanes(job)
     }
 
     #[inline(always)]
-    fn nest<const N: usize>(
+    fn nest<V: Simd>(
+        simd: V,
         array: &mut [Self],
         before: usize,
         own: &[Tap<Self>],
         term: &Factored<'_, Self>,
         length: usize,
     ) {
-        flat::nest_in_lanes::<N>(array, before, own, term, length);
+        flat::nest_in_lanes(simd, array, before, own, term, length);
     }
 }

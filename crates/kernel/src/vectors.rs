@@ -166,7 +166,7 @@ pub trait Job {
 pub fn in_lanes<J: Job>(job: J) -> J::Output {
     #[cfg(test)]
     if PLAIN.get() {
-        return job.run(pulp::Scalar::new());
+        return in_turn(job);
     }
     // What a browser runs is compiled for vectors or not at all.
     #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
@@ -174,6 +174,11 @@ pub fn in_lanes<J: Job>(job: J) -> J::Output {
         return Simd::vectorize(simd, Compiled(job));
     }
     Arch::new().dispatch(Compiled(job))
+}
+
+/// Does the work with one number at a time, for scalars that no vector holds.
+pub(crate) fn in_turn<J: Job>(job: J) -> J::Output {
+    job.run(pulp::Scalar::new())
 }
 
 #[cfg(test)]

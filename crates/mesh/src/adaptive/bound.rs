@@ -17,7 +17,7 @@
     reason = "only what is inlined is compiled for the wider sets; lanes are counted, not iterated"
 )]
 
-use pforms_kernel::lanes::{Job, in_lanes};
+use pforms_kernel::vectors::{Job, Simd, in_lanes};
 
 use super::curvature::{Scratch, curvature, curvature_here, restrict_here};
 use super::net::{Net, Quadruple};
@@ -80,7 +80,7 @@ impl Job for Look<'_> {
     type Output = (f64, bool);
 
     #[inline(always)]
-    fn run<const N: usize>(self) -> (f64, bool) {
+    fn run<V: Simd>(self, _: V) -> (f64, bool) {
         let weights = restrict_here(self.strip, self.columns, self.scratch);
         let enough =
             weights[0] > 0.0 && self.seen.see(self.strip, self.facet, weights, self.scratch);

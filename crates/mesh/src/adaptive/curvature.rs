@@ -6,7 +6,7 @@
     reason = "only what is inlined is compiled for the wider sets; lanes are counted, not iterated"
 )]
 
-use pforms_kernel::lanes::{Job, in_lanes};
+use pforms_kernel::vectors::{Job, Simd, in_lanes};
 
 use super::net::{Net, Quadruple, narrow};
 
@@ -53,7 +53,7 @@ impl Job for Restriction<'_> {
     type Output = [f64; 2];
 
     #[inline(always)]
-    fn run<const N: usize>(self) -> [f64; 2] {
+    fn run<V: Simd>(self, _: V) -> [f64; 2] {
         restrict_here(self.strip, self.columns, self.scratch)
     }
 }
@@ -68,7 +68,7 @@ impl Job for Measurement<'_> {
     type Output = Curvature;
 
     #[inline(always)]
-    fn run<const N: usize>(self) -> Curvature {
+    fn run<V: Simd>(self, _: V) -> Curvature {
         curvature_here(self.strip, self.columns, self.scratch)
     }
 }

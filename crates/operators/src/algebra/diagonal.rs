@@ -5,7 +5,7 @@
 
 #![allow(clippy::inline_always, reason = "only what is inlined is compiled for the wider vectors")]
 
-use pforms_kernel::lanes::Job;
+use pforms_kernel::vectors::{Job, Simd};
 use pforms_kernel::{Binomials, Error, Form, Result, Scalar, limit};
 use smallvec::SmallVec;
 
@@ -55,7 +55,7 @@ impl<S: Scalar> Job for Antidiagonals<'_, S> {
     type Output = ();
 
     #[inline(always)]
-    fn run<const N: usize>(self) {
+    fn run<V: Simd>(self, _: V) {
         let after = &self.form.orders()[self.high + 1..];
         let inner = after.iter().product::<usize>() * self.form.width();
         let orders = self.form.orders();

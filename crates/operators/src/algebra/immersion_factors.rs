@@ -5,6 +5,7 @@
 use std::ops::Range;
 use std::slice;
 
+use pforms_kernel::vectors::Simd;
 use pforms_kernel::{Binomials, Flat, Form, Scalar, Tap};
 use smallvec::SmallVec;
 
@@ -158,7 +159,13 @@ impl<'a, S: Scalar> Factors<'a, S> {
     /// Row by row of their triangle: each is `X` times its left neighbour of the row above, which
     /// lies one place before; the first is a power of `S`.
     #[inline(always)]
-    pub(super) fn basis<const N: usize>(&self, shape: &Shape, values: &mut [S], beside: &mut [S]) {
+    pub(super) fn basis<V: Simd>(
+        &self,
+        simd: V,
+        shape: &Shape,
+        values: &mut [S],
+        beside: &mut [S],
+    ) {
         let order = shape.order;
         let axis = shape.axes.len();
         let mut own: SmallVec<[Tap<S>; 16]> = SmallVec::new();
@@ -174,8 +181,8 @@ impl<'a, S: Scalar> Factors<'a, S> {
         power.set_one();
         values.set_one();
         for _ in 1..order {
-            power.multiply::<N>(&own);
-            values.multiply::<N>(&right);
+            power.multiply(simd, &own);
+            values.multiply(simd, &right);
             let rows = values.coefficients_mut().iter_mut().step_by(order);
             for (value, power) in rows.zip(power.coefficients()) {
                 value.clone_from(power);

@@ -14,7 +14,7 @@
 use std::cmp::Reverse;
 use std::ops::Range;
 
-use pforms_kernel::lanes::Job;
+use pforms_kernel::vectors::{Job, Simd};
 use pforms_kernel::{Binomials, Flat, Form, Scalar, Tap};
 use smallvec::SmallVec;
 
@@ -92,7 +92,7 @@ struct Sums<'a, S> {
 impl<S: Scalar> Sums<'_, S> {
     /// Takes the next pole of an axis; tells whether it was the last.
     #[inline(always)]
-    fn take<const N: usize>(&mut self, level: usize) -> bool {
+    fn take<V: Simd>(&mut self, simd: V, level: usize) -> bool {
         let axis = &self.shape.axes[level];
         if let Some(before) = self.index[level].checked_sub(1) {
             let factors = &self.factors;
@@ -100,9 +100,9 @@ impl<S: Scalar> Sums<'_, S> {
             let taps = |range: &Range<usize>| -> &[Tap<S>] { &factors.taps[range.clone()] };
             let (sums, terms) = self.flats.split_at_mut(level + 1);
             for _ in 0..factor.steps {
-                terms[0].multiply::<N>(taps(&factor.step));
+                terms[0].multiply(simd, taps(&factor.step));
             }
-            sums[level].nest::<N>(taps(&factor.own), &terms[0], taps(&factor.last));
+            sums[level].nest(simd, taps(&factor.own), &terms[0], taps(&factor.last));
         }
         let last = self.index[level] == axis.degree;
         self.index[level] = if last { 0 } else { self.index[level] + 1 };
@@ -196,14 +196,14 @@ impl<S: Scalar> Job for Counter<'_, S> {
     type Output = ();
 
     #[inline(always)]
-    fn run<const N: usize>(self) {
+    fn run<V: Simd>(self, simd: V) {
         let Self { shape, inner, host, axes, top, rest } = self;
         let mut factors = Factors::new(inner, axes);
         factors.fill(shape);
         let (basis, beside) = Factors::<S>::basis_room(shape);
         let (values, rest) = rest.split_at_mut(basis);
         let (beside, mut rest) = rest.split_at_mut(beside);
-        factors.basis::<N>(shape, values, beside);
+        factors.basis(simd, shape, values, beside);
         let mut flats: SmallVec<[Flat<'_, S>; 4]> = SmallVec::new();
         flats.push(Flat::new(top));
         for length in shape.rooms() {
@@ -217,7 +217,7 @@ impl<S: Scalar> Job for Counter<'_, S> {
         for poles in host.homogeneous().chunks_exact(order * stride) {
             sums.put_line(&Line { poles, stride, width, basis: Flat::within(values), order });
             let mut level = shape.axes.len() - 1;
-            while sums.take::<N>(level) && level > 0 {
+            while sums.take(simd, level) && level > 0 {
                 level -= 1;
                 sums.carry(level);
             }
@@ -237,7 +237,7 @@ impl<S: Scalar> Job for Poles<'_, S> {
     type Output = Vec<S>;
 
     #[inline(always)]
-    fn run<const N: usize>(self) -> Vec<S> {
+    fn run<V: Simd>(self, _: V) -> Vec<S> {
         match self.width {
             3 => self.divided::<3>(),
             4 => self.divided::<4>(),

@@ -2,7 +2,7 @@
 
 #![allow(clippy::inline_always, reason = "only what is inlined is compiled for the wider vectors")]
 
-use pforms_kernel::lanes::Job;
+use pforms_kernel::vectors::{Job, Simd};
 use pforms_kernel::{Error, Form, Matrix, Result, Scalar};
 
 use super::along::act_along;
@@ -73,7 +73,7 @@ impl<S: Scalar> Job for Triangle<'_, S> {
     type Output = ();
 
     #[inline(always)]
-    fn run<const N: usize>(self) {
+    fn run<V: Simd>(self, _: V) {
         let Self { low, high, order, inner, weights: [s, t] } = self;
         let blocks = low.chunks_exact_mut(order * inner).zip(high.chunks_exact_mut(order * inner));
         for (low, high) in blocks {

@@ -2,7 +2,7 @@
 
 #![allow(clippy::inline_always, reason = "only what is inlined is compiled for the wider vectors")]
 
-use pforms_kernel::lanes::Job;
+use pforms_kernel::vectors::{Job, Simd};
 use pforms_kernel::{Form, Matrix, Result, Scalar, limit};
 
 use super::partition::parts;
@@ -80,7 +80,7 @@ impl<S: Scalar> Job for Halving<'_, S> {
     type Output = ();
 
     #[inline(always)]
-    fn run<const N: usize>(self) {
+    fn run<V: Simd>(self, _: V) {
         let Self { net, degree, order, inner } = self;
         for block in net.chunks_exact_mut(order * inner) {
             let mut span = order - 1;

@@ -9,7 +9,7 @@
 
 #![allow(clippy::inline_always, reason = "only what is inlined is compiled for the wider vectors")]
 
-use pforms_kernel::lanes::Job;
+use pforms_kernel::vectors::{Job, Simd};
 use pforms_kernel::{Scalar, pascal_row};
 
 use super::twofold::Twofold;
@@ -144,7 +144,7 @@ impl<S: Scalar> Job for Elimination<'_, S> {
     type Output = ();
 
     #[inline(always)]
-    fn run<const N: usize>(self) {
+    fn run<V: Simd>(self, _: V) {
         match self.inner {
             3 => self.eliminate::<3>(),
             4 => self.eliminate::<4>(),
