@@ -30,8 +30,6 @@ mod flat;
 mod form;
 mod jet;
 mod kind;
-pub mod lanes;
-mod lanes_basis;
 pub mod limit;
 mod matrix;
 mod pascal;
@@ -39,8 +37,6 @@ mod planar;
 mod product;
 mod rational;
 mod scalar;
-#[cfg(target_arch = "wasm32")]
-mod simd128;
 pub mod threads;
 mod vector_rows;
 pub mod vectors;

@@ -95,6 +95,16 @@ impl<S: Simd> Lanes<S> {
         Self { simd, vector: simd.select_f64s(mask, yes.vector, no.vector) }
     }
 
+    /// The numbers with other bits in the places of `mask`, which holds all of `bits`.
+    #[inline(always)]
+    #[must_use]
+    pub fn with_bits(self, mask: u64, bits: u64) -> Self {
+        let simd = self.simd;
+        let kept = simd.and_u64s(simd.transmute_u64s_f64s(self.vector), simd.splat_u64s(!mask));
+        let all = simd.or_u64s(kept, simd.splat_u64s(bits));
+        Self { simd, vector: simd.transmute_f64s_u64s(all) }
+    }
+
     /// The instruction set.
     #[inline(always)]
     pub fn simd(self) -> S {

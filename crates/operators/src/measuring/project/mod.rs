@@ -16,7 +16,7 @@ mod search;
 mod target;
 mod weight;
 
-use pforms_kernel::lanes::in_lanes;
+use pforms_kernel::vectors::in_lanes;
 use pforms_kernel::{Error, Form, Result, limit, threads};
 
 use quick::{Quick, Task};

@@ -16,13 +16,13 @@ mod newton;
 mod proof;
 
 use pforms_kernel::Result;
-use pforms_kernel::lanes::{Job, Lanes};
+use pforms_kernel::vectors::{self, Job, Lanes, Simd};
 
 use super::rows::Rows;
 use super::search::Search;
 use near::Near;
-use newton::Newton;
-use proof::Proof;
+use newton::{Feet, Newton};
+use proof::{Proof, Verdict};
 
 /// Coefficients of a margin that is proved in lanes; with more of them cells are too few anyway.
 const MOST: usize = 1 << 8;
@@ -95,38 +95,44 @@ impl Job for Task<'_> {
     type Output = Result<()>;
 
     #[inline(always)]
-    fn run<const N: usize>(self) -> Result<()> {
-        if self.quick.rational { self.in_blocks::<N, 4>() } else { self.in_blocks::<N, 3>() }
+    fn run<S: Simd>(self, simd: S) -> Result<()> {
+        if self.quick.rational {
+            self.in_blocks::<S, 4>(simd)
+        } else {
+            self.in_blocks::<S, 3>(simd)
+        }
     }
 }
 
 impl Task<'_> {
     #[inline(always)]
-    fn in_blocks<const N: usize, const W: usize>(self) -> Result<()> {
+    fn in_blocks<S: Simd, const W: usize>(self, simd: S) -> Result<()> {
         let Self { search, quick, points, out, rows } = self;
         let ambient = search.target.form.ambient();
-        let mut near = Near::<N>::new(quick, search);
-        let mut newton = Newton::<N, W>::new(quick);
-        let mut proof = Proof::<N, W>::new(quick, search);
-        let mut placed = vec![0.0; N * ambient];
-        let blocks = out.chunks_mut(N * rows.width());
-        for (points, block) in points.chunks(N * ambient).zip(blocks) {
-            let mut x = [Lanes::<N>::ZERO; 3];
+        let mut near = Near::new(simd, quick, search);
+        let mut newton = Newton::<S, W>::new(simd, quick);
+        let mut proof = Proof::<S, W>::new(simd, quick, search);
+        let mut placed = vec![0.0; S::F64_LANES * ambient];
+        let blocks = out.chunks_mut(S::F64_LANES * rows.width());
+        for (points, block) in points.chunks(S::F64_LANES * ambient).zip(blocks) {
+            let mut columns = [[0.0; vectors::MOST]; 3];
             for (k, place) in placed.chunks_exact_mut(ambient).enumerate() {
                 // Lanes beyond the last point repeat it.
                 let k_th = k.min(points.len() / ambient - 1);
                 search.target.place(&points[k_th * ambient..][..ambient], place)?;
-                place.iter().zip(&mut x).for_each(|(from, x)| x.0[k] = *from);
+                for c in 0..ambient {
+                    columns[c][k] = place[c];
+                }
             }
+            let [x, y, z] = &columns;
+            let x = [Lanes::load(simd, x), Lanes::load(simd, y), Lanes::load(simd, z)];
             let start = near.start(&x);
             let feet = newton.descend(start, &x);
-            let verdict = proof.of(&near, &x, &feet);
+            let answers = Answers::new(start, &feet, &proof.of(&near, &x, &feet));
             for (k, row) in block.chunks_exact_mut(rows.width()).enumerate() {
-                let parameters = if feet.ended.0[k] > 0.0 { &feet.parameters } else { &start };
-                let parameters = [parameters[0].0[k], parameters[1].0[k]];
-                let parameters = &parameters[..search.target.live.len()];
-                if verdict.proved.0[k] > 0.0 {
-                    let numbers = [feet.distance.0[k], verdict.gap.0[k], 1.0];
+                let parameters = &answers.parameters(k)[..search.target.live.len()];
+                if answers.proved[k] > 0.0 {
+                    let numbers = [answers.distance[k], answers.gap[k], 1.0];
                     rows.fill(&search.target, row, parameters, numbers);
                 } else {
                     rows.search(search, row, &placed[k * ambient..][..ambient], parameters);
@@ -137,41 +143,71 @@ impl Task<'_> {
     }
 }
 
-/// Said in a loop, this keeps the compiler from putting successive turns into the lanes of a
-/// register, for which it would take apart and transpose the points that are there.
+/// What was found for the points in the lanes, point by point.
+struct Answers {
+    parameters: [[f64; vectors::MOST]; 2],
+    distance: [f64; vectors::MOST],
+    gap: [f64; vectors::MOST],
+    proved: [f64; vectors::MOST],
+}
+
+impl Answers {
+    /// The feet, or the start where descent did not end.
+    #[inline(always)]
+    fn new<S: Simd>(start: [Lanes<S>; 2], feet: &Feet<S>, verdict: &Verdict<S>) -> Self {
+        let zero = Lanes::splat(feet.ended.simd(), 0.0);
+        let [u, v] = feet.parameters;
+        Self {
+            parameters: [
+                numbers(less(zero, feet.ended, u, start[0])),
+                numbers(less(zero, feet.ended, v, start[1])),
+            ],
+            distance: numbers(feet.distance),
+            gap: numbers(verdict.gap),
+            proved: numbers(verdict.proved),
+        }
+    }
+
+    /// The parameters of one point.
+    #[inline(always)]
+    fn parameters(&self, k: usize) -> [f64; 2] {
+        [self.parameters[0][k], self.parameters[1][k]]
+    }
+}
+
+/// The numbers in the lanes, and zeros.
 #[inline(always)]
-fn keep_lanes() {
-    std::hint::black_box(());
+fn numbers<S: Simd>(lanes: Lanes<S>) -> [f64; vectors::MOST] {
+    let mut numbers = [0.0; vectors::MOST];
+    lanes.store(&mut numbers);
+    numbers
 }
 
 /// `x` where `a` is less than `b`, else `y`.
 #[inline(always)]
-fn less<const N: usize>(a: Lanes<N>, b: Lanes<N>, x: Lanes<N>, mut y: Lanes<N>) -> Lanes<N> {
-    for k in 0..N {
-        y.0[k] = if a.0[k] < b.0[k] { x.0[k] } else { y.0[k] };
-    }
-    y
+fn less<S: Simd>(a: Lanes<S>, b: Lanes<S>, x: Lanes<S>, y: Lanes<S>) -> Lanes<S> {
+    b.if_above(a, x, y)
 }
 
-/// The lesser of each two.
+/// The lesser of each two, `a` where either is no number.
 #[inline(always)]
-fn least<const N: usize>(a: Lanes<N>, b: Lanes<N>) -> Lanes<N> {
-    a.zip(b, |a, b| if b < a { b } else { a })
+fn least<S: Simd>(a: Lanes<S>, b: Lanes<S>) -> Lanes<S> {
+    b.min(a)
 }
 
-/// The larger of each two.
+/// The larger of each two, `a` where either is no number.
 #[inline(always)]
-fn most<const N: usize>(a: Lanes<N>, b: Lanes<N>) -> Lanes<N> {
-    a.zip(b, |a, b| if b > a { b } else { a })
+fn most<S: Simd>(a: Lanes<S>, b: Lanes<S>) -> Lanes<S> {
+    b.max(a)
 }
 
 /// `a − b`.
 #[inline(always)]
-fn difference<const N: usize>(a: &[Lanes<N>; 3], b: &[Lanes<N>; 3]) -> [Lanes<N>; 3] {
+fn difference<S: Simd>(a: &[Lanes<S>; 3], b: &[Lanes<S>; 3]) -> [Lanes<S>; 3] {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
 
 #[inline(always)]
-fn dot<const N: usize>(a: &[Lanes<N>; 3], b: &[Lanes<N>; 3]) -> Lanes<N> {
+fn dot<S: Simd>(a: &[Lanes<S>; 3], b: &[Lanes<S>; 3]) -> Lanes<S> {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
