@@ -139,7 +139,7 @@ def machine(record: Record) -> Iterator[str]:
     yield f"{about['system']}, Python {about['python']}."
     if limits:
         names = list(next(iter(limits.values())))
-        head = ["at most", *(f"{threads} threads" for threads in limits)]
+        head = ["at most", *(plural(int(threads), "thread") for threads in limits)]
         body = [[name.replace("_", " "), *(si(limits[t][name]) for t in limits)] for name in names]
         yield from ["", *cells([head, *body])]
 
@@ -149,7 +149,7 @@ def matrix(entries: list[Entry], record: Record, corner: str) -> list[list[str]]
     variants = list(dict.fromkeys(entry["variant"] for entry in entries))
     who = list(dict.fromkeys((entry["contender"], entry["threads"]) for entry in entries))
     places = {(e["variant"], e["contender"], e["threads"]): e for e in entries}
-    names = [name if threads == 1 else f"{name}, {threads} threads" for name, threads in who]
+    names = [name + (f", {plural(n, 'thread')}" if n > 1 else "") for name, n in who]
     rows = [[corner, *variants]]
     for name, (contender, threads) in zip(names, who, strict=True):
         found = [places.get((variant, contender, threads)) for variant in variants]
@@ -170,6 +170,10 @@ def cell(entry: Entry | None, entries: list[Entry], record: Record) -> str:
     seconds = per_item(entry)
     speed = duration(seconds) if seconds > 1e-3 else si(1 / seconds)
     return speed + (f" ({note})" if note else "")
+
+
+def plural(count: int, noun: str) -> str:
+    return f"{count} {noun}" + ("s" if count > 1 else "")
 
 
 def si(number: float) -> str:

@@ -14,7 +14,7 @@ use std::time::Instant;
 use pulp::{Arch, Simd, WithSimd};
 
 const MB: usize = 1 << 20;
-const PASSES: usize = 9;
+const PASSES: usize = 24;
 
 fn main() {
     let rates: Vec<String> =
