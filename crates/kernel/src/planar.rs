@@ -66,47 +66,56 @@ impl Planar {
     #[inline(always)]
     pub(crate) fn project(&self, out: &mut [f64]) -> Result<()> {
         let doubts = match self.columns.len() {
-            2 => self.multiply::<1>(out),
-            3 => self.multiply::<2>(out),
-            4 => self.multiply::<3>(out),
-            _ => 1,
+            2 => self.divide::<1>(out),
+            3 => self.divide::<2>(out),
+            4 => self.divide::<3>(out),
+            _ => self.divide_any(out),
         };
-        if doubts == 0 { Ok(()) } else { self.divide(out) }
+        if doubts == 0 { Ok(()) } else { self.complain(out) }
     }
 
-    /// Multiplies by the inverse of the weights. The dimension is known to the compiler, which
-    /// interleaves the columns then; gathers the doubts about the results.
+    /// Divides by the weights. The dimension is known to the compiler, which interleaves the
+    /// columns then; gathers the doubts about the results.
     #[inline(always)]
-    fn multiply<const C: usize>(&self, out: &mut [f64]) -> u64 {
+    fn divide<const C: usize>(&self, out: &mut [f64]) -> u64 {
         let (points, _) = out.as_chunks_mut::<C>();
         let columns = &self.columns;
         assert!(points.len() <= BLOCK && columns.len() == C + 1);
         let mut doubts = 0;
         for (i, point) in points.iter_mut().enumerate() {
-            let inverse = 1.0 / columns[C][i];
-            doubts |= doubt(columns[C][i]);
+            let weight = columns[C][i];
+            doubts |= doubt(weight);
             for c in 0..C {
-                point[c] = columns[c][i] * inverse;
+                point[c] = columns[c][i] / weight;
                 doubts |= doubt(point[c]);
             }
         }
         doubts
     }
 
-    /// Divides by the weights: in other dimensions, and where their inverse overflows.
-    fn divide(&self, out: &mut [f64]) -> Result<()> {
-        let Some((weights, columns)) = self.columns.split_last() else { return Ok(()) };
+    /// The same in any dimension.
+    fn divide_any(&self, out: &mut [f64]) -> u64 {
+        let Some((weights, columns)) = self.columns.split_last() else { return 0 };
+        let mut doubts = 0;
         for (i, point) in out.chunks_exact_mut(columns.len()).enumerate() {
-            let mut doubts = doubt(weights[i]);
+            doubts |= doubt(weights[i]);
             for (x, column) in point.iter_mut().zip(columns) {
                 *x = column[i] / weights[i];
                 doubts |= doubt(*x);
             }
-            if doubts != 0 {
-                return Err(unreachable(&weights[i]));
-            }
         }
-        Ok(())
+        doubts
+    }
+
+    /// Complains about the first point that is not finite.
+    #[cold]
+    fn complain(&self, out: &[f64]) -> Result<()> {
+        let Some((weights, columns)) = self.columns.split_last() else { return Ok(()) };
+        let points = out.chunks_exact(columns.len()).zip(weights);
+        let doubtful = |(point, weight): &(&[f64], &f64)| {
+            !weight.is_finite() || point.iter().any(|x| !x.is_finite())
+        };
+        points.into_iter().find(doubtful).map_or(Ok(()), |(_, weight)| Err(unreachable(weight)))
     }
 }
 

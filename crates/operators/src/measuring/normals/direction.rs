@@ -109,8 +109,7 @@ impl Block {
         let [x, y, z, length] = &self.0;
         let mut trusted = true;
         for (i, normal) in out.iter_mut().enumerate() {
-            let inverse = 1.0 / length[i];
-            *normal = [x[i] * inverse, y[i] * inverse, z[i] * inverse];
+            *normal = [x[i] / length[i], y[i] / length[i], z[i] / length[i]];
             trusted &= length[i] > 0.0;
         }
         if trusted {
