@@ -7,7 +7,7 @@ use common::{edge_counts, is_watertight, to_mesh};
 use pforms_kernel::{Error, Form};
 use pforms_mesh::vector::{dot, norm};
 use pforms_mesh::{Sampling, Triangles, surface, surfaces};
-use pforms_testkit::{octant, whole_sphere};
+use pforms_testkit::{Random, Weights, octant, whole_sphere};
 use proptest::prelude::*;
 use std::f64::consts::PI;
 
@@ -237,5 +237,25 @@ proptest! {
                 prop_assert!(dot(d, *normal).abs() <= 1e-9 * norm(d).max(1e-3));
             }
         }
+    }
+}
+
+#[test]
+fn thin_and_wild_nets_have_meshes_too() {
+    let mut random = Random::new(5);
+    for round in 0..10 {
+        let weights = if round % 2 == 0 { Weights::One } else { Weights::Positive };
+        let patch = random.rough_form(&[2, 5], 3, weights);
+        let mesh = surface(&patch, &Sampling::Tolerance(1e-2)).unwrap();
+        assert!(!mesh.indices.is_empty());
+        assert!(mesh.normals.iter().flatten().all(|x| x.is_finite()));
+    }
+    let steep = random.rough_form(&[4, 4], 3, Weights::One);
+    assert!(surface(&steep, &Sampling::Tolerance(1e-3)).is_ok());
+    // A line has no normals, or those of triangles that rounding has made.
+    let line = random.rough_form(&[1, 4], 3, Weights::One);
+    match surface(&line, &Sampling::Tolerance(0.1)) {
+        Ok(mesh) => assert!(mesh.normals.iter().flatten().all(|x| x.is_finite())),
+        Err(error) => assert_eq!(error.family(), "Degenerate"),
     }
 }

@@ -206,3 +206,33 @@ fn what_cannot_be_answered_is_refused() {
         Form::from_homogeneous(&[3], 2, vec![-1., 0., -1., 0., 0., 0.5, 0., -1., -1.]).unwrap();
     assert_nearest(&negative, &[0.0, 0.0, 2.0, 2.0], 4000);
 }
+
+#[test]
+fn equal_weights_of_any_size_change_nothing() {
+    for ambient in [2, 3] {
+        for orders in [vec![3], vec![4, 3]] {
+            let form = Random::new(7).rough_form(&orders, ambient, Weights::One);
+            let points: Vec<f64> = (0..30 * ambient).map(|k| 2.0 * (k as f64).sin()).collect();
+            let plain = assert_nearest(&form, &points, 40);
+            for weight in [3.0, -0.7, 1e3, 1e-10, 1e100, 1e-300] {
+                let poles = form.homogeneous().iter().map(|x| x * weight).collect();
+                let heavy = Form::from_homogeneous(&orders, ambient, poles).unwrap();
+                let found = project(&heavy, &points, ACCURACY).unwrap();
+                for (x, y) in found.distances.iter().zip(&plain.distances) {
+                    // The poles differ by a rounding each.
+                    assert!((x - y).abs() < 1e-14, "weight {weight}: {x} and {y}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn a_gap_is_a_number_and_a_degree_too_high_is_refused_at_once() {
+    let thin =
+        Form::from_points(&[3], 2, &[0., 0., 1., 1., 2., 0.], Some(&[1e-100, 1., 1.])).unwrap();
+    let found = foot(&thin, &[0.0, 0.0]);
+    assert!(found.gaps[0] >= 0.0 && found.gaps[0] <= found.distances[0]);
+    let long = Random::new(1).rough_form(&[1000], 3, Weights::One);
+    assert_eq!(family(project(&long, &[0.0; 3], ACCURACY)), "Accuracy");
+}

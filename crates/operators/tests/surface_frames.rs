@@ -56,6 +56,22 @@ fn normals_in_bulk_agree_with_frames_and_reach_the_pole() {
 }
 
 #[test]
+fn normals_do_not_depend_on_the_size() {
+    let unit = octant(1.0);
+    let mut expected = [0.0; 4 * 3];
+    normal_grid_into(&unit, &[&[0.0, 0.3], &[0.4, 1.0]], &mut expected).unwrap();
+    for exponent in [-1000, -500, -300, 300, 500, 1000] {
+        let scale = 2.0_f64.powi(exponent);
+        let poles = unit.homogeneous().chunks(4);
+        let poles = poles.flat_map(|p| [p[0] * scale, p[1] * scale, p[2] * scale, p[3]]).collect();
+        let surface: Form = Form::from_homogeneous(unit.orders(), 3, poles).unwrap();
+        let mut normals = [0.0; 4 * 3];
+        normal_grid_into(&surface, &[&[0.0, 0.3], &[0.4, 1.0]], &mut normals).unwrap();
+        assert_eq!(normals, expected, "2^{exponent}");
+    }
+}
+
+#[test]
 fn a_torus_bends_as_its_angle_says() {
     let (big, small) = (3.0, 1.0);
     let surface = torus(big, small);

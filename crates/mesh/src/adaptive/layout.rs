@@ -442,9 +442,9 @@ impl Layout<'_> {
         for ((source, [a, b]), growth) in sources.into_iter().zip(ranges).zip(growth) {
             let wish = margin * growth * source.surplus;
             // A little overlap with the next interval asks for nothing there.
-            let first = (a * CELLS as f64 + 0.1) as usize;
+            let first = ((a * CELLS as f64 + 0.1) as usize).min(CELLS - 1);
             let last = ((b * CELLS as f64 - 0.1).ceil() as usize).clamp(first + 1, CELLS);
-            for value in &mut self.draft.wishes.0[source.profile][first.min(last - 1)..last] {
+            for value in &mut self.draft.wishes.0[source.profile][first..last] {
                 *value = value.max(wish);
             }
         }

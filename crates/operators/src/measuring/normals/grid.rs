@@ -14,7 +14,7 @@ use super::net::{MIDDLE, Nets, Pole, is_far};
 
 /// The normals at all `us` and `vs`, into `out`.
 pub(super) struct Grid<'a> {
-    pub nets: &'a Nets<'a>,
+    pub nets: &'a Nets,
     pub us: &'a [f64],
     pub vs: &'a [f64],
     pub out: &'a mut [f64],
@@ -45,7 +45,7 @@ impl Job for Grid<'_> {
                 }
                 let start = row * vs.len() + tile * BLOCK;
                 let out = &mut out[start..start + part.len()];
-                block.write(out, nets.surface, |i| [*u, part[i]])?;
+                block.write(out, &nets.surface, |i| [*u, part[i]])?;
             }
         }
         Ok(())

@@ -34,7 +34,7 @@ pub fn normals_into(surface: &Form, parameters: &[&[f64]], out: &mut [f64]) -> R
         return Err(Error::shape("parameters", received, "lists of one length"));
     }
     require_lists(parameters, out, us.len())?;
-    let nets = Nets::new(surface);
+    let nets = Nets::new(surface)?;
     fill_parts(out, 3, nets.cost(), |range, out| {
         in_lanes(Scattered { nets: &nets, us: &us[range.clone()], vs: &vs[range], out })
     })
@@ -47,7 +47,7 @@ pub fn normal_grid_into(surface: &Form, parameters: &[&[f64]], out: &mut [f64]) 
     surface.require_per_axis("parameters", parameters)?;
     let (us, vs) = (parameters[0], parameters[1]);
     require_lists(parameters, out, us.len() * vs.len())?;
-    let nets = Nets::new(surface);
+    let nets = Nets::new(surface)?;
     fill_parts(out, 3 * vs.len(), nets.cost() * vs.len(), |range, out| {
         in_lanes(Grid { nets: &nets, us: &us[range], vs, out })
     })

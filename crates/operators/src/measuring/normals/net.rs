@@ -1,6 +1,6 @@
 //! The poles of a surface as seen from its corners.
 
-use pforms_kernel::Form;
+use pforms_kernel::{Form, Result};
 
 use crate::measuring::local::{corner_point, seen_from};
 
@@ -8,8 +8,10 @@ use crate::measuring::local::{corner_point, seen_from};
 pub(super) type Pole = [f64; 4];
 
 /// The poles seen from each of the four corners.
-pub(super) struct Nets<'a> {
-    pub surface: &'a Form,
+pub(super) struct Nets {
+    /// The surface, its coordinates and its weights scaled by powers of two to about 1: products of
+    /// four of them neither overflow nor vanish, and the normals are the same.
+    pub surface: Form,
     /// Numbered `far along u + 2·(far along v)`.
     corners: [Vec<Pole>; 4],
     /// The weight that all poles have, if they have one.
@@ -18,13 +20,16 @@ pub(super) struct Nets<'a> {
     pub reach: f64,
 }
 
-impl<'a> Nets<'a> {
-    pub(super) fn new(surface: &'a Form) -> Self {
+impl Nets {
+    /// Errors: none, since scaled poles are finite.
+    pub(super) fn new(surface: &Form) -> Result<Self> {
+        let surface = of_size_one(surface)?;
         let corners = [[false, false], [true, false], [false, true], [true, true]];
-        let corners = corners.map(|corner| seen_from_corner(surface, corner));
+        let corners = corners.map(|corner| seen_from_corner(&surface, corner));
         let sizes = corners.iter().flat_map(|net| net.as_flattened()).map(|x| x.abs());
         let reach = sizes.fold(0.0, f64::max);
-        Self { surface, corners, uniform: surface.uniform_weight().copied(), reach }
+        let uniform = surface.uniform_weight().copied();
+        Ok(Self { surface, corners, uniform, reach })
     }
 
     /// The poles seen from the corner nearest to a point, and one that is not used.
@@ -48,6 +53,27 @@ pub(super) const MIDDLE: f64 = 0.5;
 
 pub(super) fn is_far(t: f64) -> bool {
     t > MIDDLE
+}
+
+fn of_size_one(surface: &Form) -> Result<Form> {
+    let (poles, _) = surface.homogeneous().as_chunks::<4>();
+    let largest = |size: fn(&Pole) -> f64| poles.iter().map(size).fold(0.0, f64::max);
+    let lengths = power_of_two(largest(|[x, y, z, _]| x.abs().max(y.abs()).max(z.abs())));
+    let weights = power_of_two(largest(|pole| pole[3].abs()));
+    let scaled = poles.iter().flat_map(|[x, y, z, w]| {
+        [scaled(*x, lengths), scaled(*y, lengths), scaled(*z, lengths), scaled(*w, weights)]
+    });
+    Form::from_homogeneous(surface.orders(), 3, scaled.collect())
+}
+
+/// The exponent of a size, in two halves: 2 to the power of all of it may overflow.
+fn power_of_two(size: f64) -> [i32; 2] {
+    let exponent = if size > 0.0 { (size.to_bits() >> 52) as i32 - 1023 } else { 0 };
+    [exponent / 2, exponent - exponent / 2]
+}
+
+fn scaled(x: f64, exponents: [i32; 2]) -> f64 {
+    exponents.iter().fold(x, |x, exponent| x * 2.0_f64.powi(-exponent))
 }
 
 fn seen_from_corner(surface: &Form, corner: [bool; 2]) -> Vec<Pole> {

@@ -14,7 +14,7 @@ use super::net::{Nets, Pole, is_far};
 
 /// The normals at `(us[i], vs[i])`, into `out`.
 pub(super) struct Scattered<'a> {
-    pub nets: &'a Nets<'a>,
+    pub nets: &'a Nets,
     pub us: &'a [f64],
     pub vs: &'a [f64],
     pub out: &'a mut [f64],
@@ -44,7 +44,7 @@ impl Job for Scattered<'_> {
                     block.put(group * S::F64_LANES, &jets.normals(nets.reach));
                 }
                 let found = &mut normals[..places.len()];
-                block.write(found, nets.surface, |i| [us[places[i]], vs[places[i]]])?;
+                block.write(found, &nets.surface, |i| [us[places[i]], vs[places[i]]])?;
                 for (place, normal) in places.iter().zip(found) {
                     out[*place] = *normal;
                 }

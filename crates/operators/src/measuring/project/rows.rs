@@ -39,7 +39,8 @@ impl Rows {
             all[*axis] = *t;
         }
         rest[0] = target.length(distance);
-        rest[1] = target.length(gap);
+        // Nothing is nearer than the point itself, whatever a bound says that overflowed.
+        rest[1] = target.length(if gap < distance { gap } else { distance });
         // Along an axis of one pole nothing changes: then no parameters are the only ones.
         rest[2] = if target.live.len() == self.axes { unique } else { 0.0 };
     }

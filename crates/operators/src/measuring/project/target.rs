@@ -1,6 +1,6 @@
 //! The form as projection works on it: at the origin, of size about one, no axis without extent.
 
-use pforms_kernel::{Error, Form, Result};
+use pforms_kernel::{Error, Form, Result, limit};
 
 use super::weight::{Weights, positive_weights};
 
@@ -23,8 +23,10 @@ pub(super) struct Target {
 }
 
 impl Target {
-    /// Errors: `Domain` when the weight vanishes in the window or a pole overflows.
+    /// Errors: `Domain` when the weight vanishes in the window or a pole overflows; `Accuracy` when
+    /// the squares of distances are of too high a degree.
     pub(super) fn new(form: &Form) -> Result<Self> {
+        form.degrees().iter().try_for_each(|degree| limit::check_degree::<f64>(2 * degree))?;
         let Weights { sign, least, largest, lower, upper } = positive_weights(form)?;
         let centre: Vec<f64> = lower.iter().zip(&upper).map(|(a, b)| a / 2.0 + b / 2.0).collect();
         let halves = lower.iter().zip(&upper).map(|(a, b)| b / 2.0 - a / 2.0);
@@ -34,7 +36,8 @@ impl Target {
         let axes = form.axes();
         let live = (0..axes).filter(|axis| form.orders()[*axis] > 1).collect::<Vec<_>>();
         let orders: Vec<usize> = live.iter().map(|axis| form.orders()[*axis]).collect();
-        let unit = binade(largest);
+        // An equal weight becomes exactly 1, which is left out of sums.
+        let unit = if form.is_rational() { binade(largest) } else { largest };
         let mut poles = Vec::with_capacity(form.homogeneous().len());
         for pole in form.homogeneous().chunks_exact(form.width()) {
             normalise(pole, &centre, scale, sign * unit, &mut poles);
