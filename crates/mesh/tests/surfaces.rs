@@ -252,10 +252,10 @@ fn thin_and_wild_nets_have_meshes_too() {
     }
     let steep = random.rough_form(&[4, 4], 3, Weights::One);
     assert!(surface(&steep, &Sampling::Tolerance(1e-3)).is_ok());
-    // A line has no normals, or those of triangles that rounding has made.
+    // A line has no normals but those of triangles that rounding has made.
     let line = random.rough_form(&[1, 4], 3, Weights::One);
     match surface(&line, &Sampling::Tolerance(0.1)) {
         Ok(mesh) => assert!(mesh.normals.iter().flatten().all(|x| x.is_finite())),
-        Err(error) => assert_eq!(error.family(), "Degenerate"),
+        Err(error) => assert!(["Degenerate", "Limit"].contains(&error.family())),
     }
 }
