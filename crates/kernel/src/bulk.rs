@@ -236,7 +236,7 @@ fn require_finite_list(list: &[f64]) -> Result<()> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::vectors::PLAIN;
+    use crate::vectors::{MOST, WIDTH};
 
     fn wavy(orders: &[usize], ambient: usize, rational: bool) -> Form<f64> {
         let count: usize = orders.iter().product();
@@ -249,17 +249,16 @@ mod tests {
         numbers.iter().map(|x| x.to_bits()).collect()
     }
 
-    /// Fills so many numbers in plain numbers and in the vectors of the machine.
+    /// Fills so many numbers in plain numbers and in vectors of every width that there is.
     fn assert_same_bits(count: usize, fill: impl Fn(&mut [f64])) {
-        let mut outs = [false, true].map(|plain| {
+        let [plain, narrow, widest] = [1, 4, MOST].map(|width| {
             let mut out = vec![0.0; count];
-            PLAIN.set(plain);
+            WIDTH.set(width);
             fill(&mut out);
-            out
+            bits(&out)
         });
-        PLAIN.set(false);
-        let [wide, plain] = outs.each_mut();
-        assert_eq!(bits(wide), bits(plain));
+        WIDTH.set(MOST);
+        assert!(plain == narrow && narrow == widest);
     }
 
     #[test]
