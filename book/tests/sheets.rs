@@ -127,7 +127,7 @@ fn tree<S: Arithmetic>(value: &Value<S>) -> Tree<S> {
     match value {
         Value::Number(number) => Tree::Number(number.clone()),
         Value::Form(form) => net(form),
-        Value::Piecewise(pieces) => net(pieces.net()),
+        Value::Spline(pieces) => net(pieces.net()),
         Value::List(items) => Tree::List(items.iter().map(tree).collect()),
         other => Tree::Other(other.display(Language::English)),
     }

@@ -15,7 +15,7 @@ and a form with an axis more is a list in one array: ``pf.stack(forms).elevate((
 from pforms._pforms import (
     Form,
     Immersed,
-    Piecewise,
+    Spline,
     Sheet,
     __version__,
     bernstein,
@@ -91,7 +91,7 @@ __all__ = [
     "LimitError",
     "Mesh",
     "PformsError",
-    "Piecewise",
+    "Spline",
     "Polyline",
     "Projection",
     "ShapeError",

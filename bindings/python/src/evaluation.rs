@@ -2,7 +2,7 @@
 
 use numpy::PyArrayDyn;
 use pforms_kernel::{Form, Result, limit};
-use pforms_operators::{Immersed, Piecewise};
+use pforms_operators::{Immersed, Spline};
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
 
@@ -53,7 +53,7 @@ impl Evaluate for Form {
     }
 }
 
-impl Evaluate for Piecewise {
+impl Evaluate for Spline {
     fn width(&self) -> usize {
         self.net().ambient()
     }

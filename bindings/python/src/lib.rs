@@ -22,14 +22,15 @@ mod measuring;
 mod operators;
 mod outputs;
 mod parameters;
-mod piecewise;
 mod points;
 mod projecting;
 mod rows;
 mod sampling;
 mod settings;
+mod shapes;
 mod sheet;
 mod slices;
+mod spline;
 mod tessellating;
 mod values;
 mod vectors;
@@ -55,11 +56,11 @@ mod _pforms {
     #[pymodule_export]
     use crate::making::{fit, interpolate};
     #[pymodule_export]
-    use crate::piecewise::PyPiecewise;
-    #[pymodule_export]
     use crate::settings::{cap, set_cap, set_threads, threads};
     #[pymodule_export]
     use crate::sheet::PySheet;
+    #[pymodule_export]
+    use crate::spline::PySpline;
     #[pymodule_export]
     use crate::tessellating::tessellate;
 

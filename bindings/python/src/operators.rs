@@ -11,8 +11,8 @@ use crate::arrays::Numbers;
 use crate::errors::{done, fail, raised};
 use crate::form::PyForm;
 use crate::outputs::array;
-use crate::piecewise::PyPiecewise;
 use crate::slices::require_feasible;
+use crate::spline::PySpline;
 
 #[pymethods]
 impl PyForm {
@@ -98,16 +98,15 @@ impl PyForm {
     /// Examples
     /// --------
     /// >>> pf.Form([(0, 0), (1, 2), (2, 0)]).subdivide(1)
-    /// <pforms.Piecewise of 2 pieces pL3 in 2D>
+    /// <pforms.Spline of 2 pieces pL3 in 2D>
     /// >>> facet = pf.Form([[(0, 0, 0), (0, 1, 1)], [(1, 0, 1), (1, 1, 0)]])
     /// >>> low_low, low_high, high_low, high_high = facet.subdivide(1)
     #[pyo3(signature = (r))]
-    fn subdivide(&self, r: &Bound<'_, PyAny>) -> PyResult<PyPiecewise> {
+    fn subdivide(&self, r: &Bound<'_, PyAny>) -> PyResult<PySpline> {
         let levels = wholes("r", r, self.form.axes())?;
         let levels: Vec<u32> =
             levels.into_iter().map(|r| level("r", r)).collect::<PyResult<_>>()?;
-        done(r.py(), self.cost(), || operators::subdivide(&self.form, &levels))
-            .map(PyPiecewise::from)
+        done(r.py(), self.cost(), || operators::subdivide(&self.form, &levels)).map(PySpline::from)
     }
 
     /// The forms that generate this one along axis 0: :func:`stack` undone.

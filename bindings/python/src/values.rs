@@ -2,7 +2,7 @@
 
 use pforms_catalogue::{Arithmetic, Value};
 use pforms_kernel::{Form, Rational};
-use pforms_operators::{Immersed, Piecewise};
+use pforms_operators::{Immersed, Spline};
 use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
@@ -10,13 +10,13 @@ use pyo3::types::{PyDict, PyList};
 use crate::errors::raised;
 use crate::form::PyForm;
 use crate::immersed::PyImmersed;
-use crate::piecewise::PyPiecewise;
+use crate::spline::PySpline;
 
 /// A scalar whose values Python knows: floats and forms, or fractions in arrays.
 pub(crate) trait Shown: Arithmetic {
     fn number(py: Python<'_>, x: Self) -> PyResult<Bound<'_, PyAny>>;
     fn form(py: Python<'_>, form: Form<Self>) -> PyResult<Bound<'_, PyAny>>;
-    fn pieces(py: Python<'_>, pieces: Piecewise<Self>) -> PyResult<Bound<'_, PyAny>>;
+    fn pieces(py: Python<'_>, pieces: Spline<Self>) -> PyResult<Bound<'_, PyAny>>;
     fn immersed(py: Python<'_>, lazy: Immersed<Self>) -> PyResult<Bound<'_, PyAny>>;
 }
 
@@ -29,8 +29,8 @@ impl Shown for f64 {
         PyForm::from(form).into_bound_py_any(py)
     }
 
-    fn pieces(py: Python<'_>, pieces: Piecewise) -> PyResult<Bound<'_, PyAny>> {
-        PyPiecewise::from(pieces).into_bound_py_any(py)
+    fn pieces(py: Python<'_>, pieces: Spline) -> PyResult<Bound<'_, PyAny>> {
+        PySpline::from(pieces).into_bound_py_any(py)
     }
 
     fn immersed(py: Python<'_>, lazy: Immersed) -> PyResult<Bound<'_, PyAny>> {
@@ -51,7 +51,7 @@ impl Shown for Rational {
         array.call_method1("reshape", (shape,))
     }
 
-    fn pieces(py: Python<'_>, pieces: Piecewise<Self>) -> PyResult<Bound<'_, PyAny>> {
+    fn pieces(py: Python<'_>, pieces: Spline<Self>) -> PyResult<Bound<'_, PyAny>> {
         Self::form(py, pieces.net().clone())
     }
 
@@ -68,7 +68,7 @@ pub(crate) fn shown<S: Shown>(py: Python<'_>, value: Value<S>) -> PyResult<Bound
         Value::Boolean(truth) => truth.into_bound_py_any(py),
         Value::Text(text) => text.into_bound_py_any(py),
         Value::Form(form) => S::form(py, form),
-        Value::Piecewise(pieces) => S::pieces(py, pieces),
+        Value::Spline(pieces) => S::pieces(py, pieces),
         Value::Immersed(lazy) => S::immersed(py, lazy),
         Value::List(items) => {
             let list = PyList::empty(py);

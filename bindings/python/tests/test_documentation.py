@@ -10,7 +10,7 @@ import pytest
 import pforms as pf
 
 MODULES = ["pforms", "pforms.errors", "pforms.files", "pforms.records"]
-CLASSES = [pf.Form, pf.Piecewise, pf.Immersed, pf.Sheet]
+CLASSES = [pf.Form, pf.Spline, pf.Immersed, pf.Sheet]
 
 
 def documented():
@@ -48,7 +48,7 @@ def test_every_example_of_a_module_runs(module):
 
 
 def test_calls_are_documented():
-    for cls in (pf.Form, pf.Piecewise, pf.Immersed):
+    for cls in (pf.Form, pf.Spline, pf.Immersed):
         assert len(cls.__call__.__doc__) > 20
 
 

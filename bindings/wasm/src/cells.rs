@@ -89,7 +89,7 @@ fn sort(value: &Value) -> &'static str {
         Value::Number(_) => "number",
         Value::Boolean(_) => "boolean",
         Value::Text(_) => "text",
-        Value::Form(_) | Value::Piecewise(_) | Value::Immersed(_) => "form",
+        Value::Form(_) | Value::Spline(_) | Value::Immersed(_) => "form",
         Value::List(_) => "list",
         Value::Record(_) => "record",
         Value::Error(_) => "error",

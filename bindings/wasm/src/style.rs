@@ -15,7 +15,7 @@ pub(crate) fn modes(value: &Value) -> Vec<Mode> {
 fn gather(value: &Value, found: &mut Vec<Mode>) {
     match value {
         Value::Form(form) => add(form, found),
-        Value::Piecewise(pieces) => add(pieces.net(), found),
+        Value::Spline(pieces) => add(pieces.net(), found),
         // An inner form has the axes of the composition.
         Value::Immersed(lazy) => add(lazy.inner(), found),
         Value::List(items) => items.iter().for_each(|item| gather(item, found)),

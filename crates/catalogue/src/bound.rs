@@ -1,6 +1,7 @@
 //! Arguments that have found their parameters, read as what the operator needs.
 
 use pforms_kernel::{Error, Form};
+use pforms_operators::Shape;
 
 use crate::parameter::Fallback;
 use crate::{Arithmetic, Failure, Language, Operator, Parameter, Takes, Value, Words};
@@ -53,12 +54,24 @@ impl<S: Arithmetic> Bound<S> {
         self.all(index).iter().map(|value| self.form_of(index, value)).collect()
     }
 
+    /// A form or a spline, for operators that take either.
+    pub(crate) fn shape(&self, index: usize) -> Result<Shape<S>, Failure> {
+        self.shape_of(index, &self.value(index))
+    }
+
+    pub(crate) fn shape_of(&self, index: usize, value: &Value<S>) -> Result<Shape<S>, Failure> {
+        match value {
+            Value::Spline(spline) => Ok(spline.clone().into()),
+            other => Ok(self.form_of(index, other)?.into()),
+        }
+    }
+
     pub(crate) fn form_of(&self, index: usize, value: &Value<S>) -> Result<Form<S>, Failure> {
         match value {
             Value::Form(form) => Ok(form.clone()),
             Value::List(items) if !items.is_empty() => crate::net::form_of_list(items),
             Value::Immersed(lazy) => crate::cost::expanded(lazy),
-            Value::Piecewise(_) => Err(self.no_form(index, value).with_hint(
+            Value::Spline(_) => Err(self.no_form(index, value).with_hint(
                 "NET(…) gives the poles of all pieces, PIECE(…) one of them",
                 "RESEAU(…) donne les pôles de tous les morceaux, MORCEAU(…) l'un d'eux",
             )),

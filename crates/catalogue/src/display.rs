@@ -26,7 +26,7 @@ impl<S: Arithmetic> Value<S> {
             Self::Text(text) => text.clone(),
             Self::Form(form) if form.axes() == 0 => point(form),
             Self::Form(form) => of_form(form, language),
-            Self::Piecewise(pieces) => {
+            Self::Spline(pieces) => {
                 let word = pick(language, "piecewise", "par morceaux");
                 format!("{} · {word}", of_form(pieces.net(), language))
             }

@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 
 use pforms_kernel::Form;
-use pforms_operators::{Piecewise, combine};
+use pforms_operators::{Spline, combine};
 
 use crate::arithmetic::quotient;
 use crate::cost::expanded;
@@ -148,11 +148,11 @@ fn arithmetic<S: Arithmetic>(sign: Infix, left: &Value<S>, right: &Value<S>) -> 
             };
             Ok(Value::Form(scaled))
         }
-        (Value::Piecewise(pieces), other) if is_constant(other) => {
+        (Value::Spline(pieces), other) if is_constant(other) => {
             let net = compute(sign, &Value::Form(pieces.net().clone()), other)?;
             in_pieces(net, pieces).ok_or_else(|| no_meaning(sign, left, right))
         }
-        (other, Value::Piecewise(pieces)) if is_constant(other) => {
+        (other, Value::Spline(pieces)) if is_constant(other) => {
             let net = compute(sign, other, &Value::Form(pieces.net().clone()))?;
             in_pieces(net, pieces).ok_or_else(|| no_meaning(sign, left, right))
         }
@@ -200,13 +200,13 @@ fn is_constant<S: Arithmetic>(value: &Value<S>) -> bool {
 }
 
 /// The pieces with another net of the same orders: what a number or a point does to all of them.
-fn in_pieces<S: Arithmetic>(net: Value<S>, pieces: &Piecewise<S>) -> Option<Value<S>> {
+fn in_pieces<S: Arithmetic>(net: Value<S>, pieces: &Spline<S>) -> Option<Value<S>> {
     let Value::Form(net) = net else { return None };
     if net.orders() != pieces.net().orders() {
         return None;
     }
-    let again = Piecewise::new(net, pieces.degrees().to_vec(), pieces.breaks().to_vec());
-    again.ok().map(Value::Piecewise)
+    let again = Spline::on(net, pieces.knots().to_vec());
+    again.ok().map(Value::Spline)
 }
 
 fn no_meaning<S: Arithmetic>(sign: Infix, left: &Value<S>, right: &Value<S>) -> Failure {

@@ -18,7 +18,7 @@ impl<S: Arithmetic> Value<S> {
             Self::Boolean(value) => (*value).into(),
             Self::Text(text) => text.as_str().into(),
             Self::Form(form) => of_form(form),
-            Self::Piecewise(pieces) => {
+            Self::Spline(pieces) => {
                 let mut object = of_form(pieces.net());
                 object["piecewise"] = true.into();
                 object["degrees"] = json!(pieces.degrees());

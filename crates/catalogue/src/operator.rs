@@ -39,6 +39,16 @@ pub enum Group {
     Fundamental,
     /// Interpolation and immersion.
     Interpolation,
+    /// Transformations: one matrix on all poles.
+    Transformations,
+    /// Combinations of forms.
+    Combinations,
+    /// Rational forms: conics, quadrics, tori.
+    Rational,
+    /// Composed forms: products, sweeps, offsets.
+    Composed,
+    /// Splines and NURBS.
+    Splines,
     /// Deformation and geometry inside forms.
     Inside,
     /// Poles, weights, orders, pieces.
@@ -56,6 +66,11 @@ impl Group {
             Self::Gestures => ("Primitive gestures", "Gestes primitifs"),
             Self::Fundamental => ("Fundamental operators", "Opérateurs fondamentaux"),
             Self::Interpolation => ("Interpolation and immersion", "Interpolation et immersion"),
+            Self::Transformations => ("Transformations", "Transformations"),
+            Self::Combinations => ("Combinations", "Combinaisons"),
+            Self::Rational => ("Rational forms", "Formes rationnelles"),
+            Self::Composed => ("Composed forms", "Formes composées"),
+            Self::Splines => ("Splines", "Splines"),
             Self::Inside => ("Geometry inside forms", "Géométrie dans les formes"),
             Self::Forms => ("Poles and pieces", "Pôles et morceaux"),
             Self::Numbers => ("Numbers", "Nombres"),

@@ -1,7 +1,7 @@
 //! What flows from cell to cell.
 
 use pforms_kernel::Form;
-use pforms_operators::{Immersed, Piecewise};
+use pforms_operators::{Immersed, Shape, Spline};
 
 use crate::{Arithmetic, Failure, Language, Message, Words};
 
@@ -28,8 +28,8 @@ pub enum Value<S = f64> {
     Text(String),
     /// A form; a point is a form without axes.
     Form(Form<S>),
-    /// A form in pieces, with the control net they share.
-    Piecewise(Piecewise<S>),
+    /// Forms end to end, with knots.
+    Spline(Spline<S>),
     /// An immersed form that has not been expanded: host and inner.
     Immersed(Immersed<S>),
     /// Values in order; make one with [`Value::list`], which keeps it within bounds.
@@ -107,7 +107,7 @@ impl<S: Arithmetic> Value<S> {
     pub fn orders(&self) -> Option<Vec<usize>> {
         match self {
             Self::Form(form) => Some(form.orders().to_vec()),
-            Self::Piecewise(pieces) => Some(pieces.net().orders().to_vec()),
+            Self::Spline(pieces) => Some(pieces.net().orders().to_vec()),
             Self::Immersed(immersed) => Some(immersed.forecast().orders),
             _ => None,
         }
@@ -120,7 +120,7 @@ impl<S: Arithmetic> Value<S> {
             Self::Number(_) => size_of::<S>(),
             Self::Text(text) => text.len(),
             Self::Form(form) => form.bytes(),
-            Self::Piecewise(pieces) => pieces.net().bytes(),
+            Self::Spline(pieces) => pieces.net().bytes(),
             Self::Immersed(lazy) => lazy.inner().bytes() + lazy.host().bytes(),
             Self::List(items) => items.iter().map(Self::bytes).sum(),
             Self::Record(entries) => entries.iter().map(|(_, value)| value.bytes()).sum(),
@@ -150,7 +150,7 @@ impl<S: Arithmetic> Value<S> {
             Self::Boolean(_) => Words { en: "boolean", fr: "booléen" },
             Self::Text(_) => Words { en: "text", fr: "texte" },
             Self::Form(form) => return form.kind().to_string(),
-            Self::Piecewise(pieces) => return pieces.net().kind().to_string(),
+            Self::Spline(pieces) => return pieces.net().kind().to_string(),
             Self::Immersed(lazy) => return lazy.kind(),
             Self::List(_) => Words { en: "list", fr: "liste" },
             Self::Record(_) => Words { en: "record", fr: "fiche" },
@@ -185,6 +185,21 @@ impl<S> From<Failure> for Value<S> {
 impl<S> From<Form<S>> for Value<S> {
     fn from(form: Form<S>) -> Self {
         Self::Form(form)
+    }
+}
+
+impl<S> From<Spline<S>> for Value<S> {
+    fn from(spline: Spline<S>) -> Self {
+        Self::Spline(spline)
+    }
+}
+
+impl<S> From<Shape<S>> for Value<S> {
+    fn from(shape: Shape<S>) -> Self {
+        match shape {
+            Shape::Form(form) => Self::Form(form),
+            Shape::Spline(spline) => Self::Spline(spline),
+        }
     }
 }
 

@@ -33,7 +33,7 @@ fn forms_combine_homogeneously() {
 fn a_direction_translates_pieces_and_lists() {
     let moved =
         binary(Infix::Add, &value("=SUBDIVIDE([(0, 0), (1, 2), (2, 0)], 1)"), &value("=(0, 1; 0)"));
-    let Value::Piecewise(pieces) = moved else { panic!("{moved:?}") };
+    let Value::Spline(pieces) = moved else { panic!("{moved:?}") };
     assert_eq!(pieces.at(&[0.5]).unwrap(), [1.0, 2.0]);
     assert_eq!(shown(Infix::Add, "=[(0, 0), (1, 1)]", "=(0, 1; 0)"), "pL2 · 2D");
     assert_eq!(shown(Infix::Multiply, "=[1, 2]", "=[3, 4]"), "[3, 8]");

@@ -3,7 +3,7 @@
 
 use pforms_kernel::{Form, Matrix, Rational, Scalar, binomial};
 use pforms_operators::{
-    Piecewise, blossom, combine, derivative, diagonal, diagonal_all, elevate, hodograph, midpoint,
+    Spline, blossom, combine, derivative, diagonal, diagonal_all, elevate, hodograph, midpoint,
     partition, raise_together, reparametrise, reverse, split, stack, stretch, sub, subdivide,
     transpose, whole_line,
 };
@@ -107,7 +107,7 @@ fn elevation_leaves_the_form_unchanged_and_composes() {
 fn subdivision_is_the_form() {
     for (f, mut random) in exact_forms(1..=3) {
         let r: Vec<u32> = (0..f.axes()).map(|_| random.size(0, 2) as u32).collect();
-        let refined: Piecewise<Rational> = subdivide(&f, &r).unwrap();
+        let refined: Spline<Rational> = subdivide(&f, &r).unwrap();
         for (axis, &levels) in r.iter().enumerate() {
             let expected = (f.orders()[axis] - 1) * (1 << levels) + 1;
             assert_eq!(refined.net().orders()[axis], expected);

@@ -38,7 +38,7 @@ impl Shapes {
         match value {
             Value::Form(form) => self.push(floating(form)?),
             Value::Immersed(lazy) => self.push(floating(&lazy.expand()?)?),
-            Value::Piecewise(pieces) => {
+            Value::Spline(pieces) => {
                 for piece in pieces.pieces()? {
                     self.forms.push(floating(&piece)?);
                 }

@@ -130,7 +130,7 @@ fn values_hold_forms_at_any_depth() {
 fn a_subdivided_form_shows_its_pieces_and_its_refined_net() {
     let arc = Form::from_points(&[3], 2, &[0., 0., 1., 2., 2., 0.], None).unwrap();
     let halves = pforms_operators::subdivide(&arc, &[1]).unwrap();
-    let shapes = Shapes::in_value(&Value::Piecewise(halves)).unwrap();
+    let shapes = Shapes::in_value(&Value::Spline(halves)).unwrap();
     assert_eq!((shapes.forms.len(), shapes.nets.len()), (2, 1));
     let style = Style { draw: vec![Mode::Curve, Mode::Poles], ..Style::default() };
     let parts = draw(&shapes, &style).unwrap();

@@ -98,7 +98,7 @@ impl Allowance {
             ("form", Value::Form(form)) => {
                 self.same_form(form, &form_of(content), wanted["projective"] == true)
             }
-            ("net", Value::Piecewise(pieces)) => {
+            ("net", Value::Spline(pieces)) => {
                 self.same_form(pieces.net(), &form_of(content), false)
             }
             ("number", Value::Number(x)) => {

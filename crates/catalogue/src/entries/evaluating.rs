@@ -172,7 +172,7 @@ pub(super) static ENTRIES: &[Operator] = &[
 
 fn evaluate<S: Arithmetic>(a: &Bound<S>) -> Outcome<S> {
     let place = match a.value(0) {
-        whole @ (Value::Piecewise(_) | Value::Immersed(_)) => whole,
+        whole @ (Value::Spline(_) | Value::Immersed(_)) => whole,
         other => a.form_of(0, &other)?.into(),
     };
     let given = a.all(1);
@@ -208,7 +208,7 @@ fn point_at<'a, S: Arithmetic>(
 ) -> Outcome<S> {
     let at: Vec<S> = parameters.map(|t| a.number_of(1, t)).collect::<Result<_, _>>()?;
     let point = match place {
-        Value::Piecewise(pieces) => pieces.at(&at)?,
+        Value::Spline(pieces) => pieces.at(&at)?,
         Value::Immersed(lazy) => lazy.at(&at)?,
         other => a.form_of(0, other)?.at(&at)?,
     };

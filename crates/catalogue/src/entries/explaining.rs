@@ -151,7 +151,7 @@ fn exactly<S: Arithmetic>(value: &Value<S>) -> Option<Value<Rational>> {
 fn form_of(value: Value<Rational>) -> pforms_kernel::Result<Form<Rational>> {
     match value.settle() {
         Value::Form(form) => Ok(form),
-        Value::Piecewise(pieces) => Ok(pieces.net().clone()),
+        Value::Spline(pieces) => Ok(pieces.net().clone()),
         Value::Error(failure) => Err(failure.to_error()),
         other => Err(Error::domain(
             "operator",

@@ -174,7 +174,7 @@ fn count<S: Arithmetic>(a: &Bound<S>) -> Outcome<S> {
     Ok(number(match a.value(0) {
         Value::List(items) => items.len(),
         Value::Form(form) => form.pole_count(),
-        Value::Piecewise(pieces) => pieces.net().pole_count(),
+        Value::Spline(pieces) => pieces.net().pole_count(),
         Value::Record(entries) => entries.len(),
         Value::Empty => 0,
         _ => 1,

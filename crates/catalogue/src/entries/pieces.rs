@@ -1,12 +1,12 @@
 //! Forms in pieces: their net, their pieces.
 
 use pforms_kernel::Rational;
-use pforms_operators::Piecewise;
+use pforms_operators::{Poles, Shape, Spline};
 
 use super::{Outcome, PLAIN, list_of_forms};
 use crate::operator::call;
 use crate::words::words;
-use crate::{Arithmetic, Bound, Failure, Operator, Parameter, Takes, Value};
+use crate::{Arithmetic, Bound, Failure, Operator, Parameter, Takes};
 
 const PIECES: Parameter = Parameter::new(
     Takes::Form,
@@ -75,10 +75,7 @@ pub(super) static ENTRIES: &[Operator] = &[
 ];
 
 fn net<S: Arithmetic>(a: &Bound<S>) -> Outcome<S> {
-    match a.value(0) {
-        Value::Piecewise(pieces) => Ok(pieces.net().clone().into()),
-        other => Ok(a.form_of(0, &other)?.into()),
-    }
+    Ok(a.shape(0)?.net().clone().into())
 }
 
 fn pieces<S: Arithmetic>(a: &Bound<S>) -> Outcome<S> {
@@ -97,15 +94,7 @@ fn piece<S: Arithmetic>(a: &Bound<S>) -> Outcome<S> {
     Ok(in_pieces(a)?.piece(&index)?.into())
 }
 
-/// The pieces of the first argument; a form that is whole is one piece.
-fn in_pieces<S: Arithmetic>(a: &Bound<S>) -> Result<Piecewise<S>, Failure> {
-    match a.value(0) {
-        Value::Piecewise(pieces) => Ok(pieces),
-        other => {
-            let form = a.form_of(0, &other)?;
-            let breaks = vec![vec![S::zero(), S::one()]; form.axes()];
-            let degrees = form.degrees();
-            Ok(Piecewise::new(form, degrees, breaks)?)
-        }
-    }
+/// The first argument; a form that is whole is one piece.
+fn in_pieces<S: Arithmetic>(a: &Bound<S>) -> Result<Spline<S>, Failure> {
+    a.shape(0).map(Shape::into_spline)
 }

@@ -270,7 +270,7 @@ pub(super) static ENTRIES: &[Operator] = &[
 fn subdivide<S: Arithmetic>(a: &Bound<S>) -> Outcome<S> {
     let form = workable(a.form(0)?)?;
     let r: Vec<u32> = a.wholes(1, form.axes())?.iter().map(|&r| r as u32).collect();
-    Ok(Value::Piecewise(operators::subdivide(&form, &r)?))
+    Ok(Value::Spline(operators::subdivide(&form, &r)?))
 }
 
 fn split<S: Arithmetic>(a: &Bound<S>) -> Outcome<S> {

@@ -3,7 +3,7 @@
 use num_integer::Integer;
 use pforms_kernel::{Form, Kind, Rational, Result, Scalar, limit};
 
-use super::piecewise::indices;
+use super::spline::indices;
 
 /// The exact coefficients of each result pole in terms of the input poles, one line for each.
 ///

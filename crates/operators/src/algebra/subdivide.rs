@@ -6,12 +6,13 @@ use pforms_kernel::vectors::{Job, Simd};
 use pforms_kernel::{Form, Matrix, Result, Scalar, limit};
 
 use super::partition::parts;
-use super::{Piecewise, partition};
+use super::{Spline, partition};
 
 /// The form as `2^r` pieces along each axis: the refined net, `(n − 1)·2^r + 1` poles.
 ///
 /// The pieces *are* the form; their poles approach it by a factor 4 with each level. The
-/// coefficients are dyadic, so in `f64` each level adds at most `degree` roundings. Book 211.
+/// coefficients are dyadic, so in `f64` each level adds at most `degree` roundings. An axis of a
+/// single pole stays in one piece: all its parts are the same. Book 211.
 ///
 /// Errors: `Shape` unless there is one level for each axis; `Limit`.
 ///
@@ -22,7 +23,7 @@ use super::{Piecewise, partition};
 /// assert_eq!(halves.net().points()?, [0., 1., 1., 1., 0.]);
 /// # Ok::<(), pforms_kernel::Error>(())
 /// ```
-pub fn subdivide<S: Scalar>(form: &Form<S>, r: &[u32]) -> Result<Piecewise<S>> {
+pub fn subdivide<S: Scalar>(form: &Form<S>, r: &[u32]) -> Result<Spline<S>> {
     form.require_per_axis("r", r)?;
     let degrees = form.degrees();
     let mut orders = Vec::with_capacity(r.len());
@@ -40,7 +41,7 @@ pub fn subdivide<S: Scalar>(form: &Form<S>, r: &[u32]) -> Result<Piecewise<S>> {
         }
         breaks.push(partition(&S::zero(), &S::one(), levels)?);
     }
-    Piecewise::new(Form::from_homogeneous(&orders, form.ambient(), poles)?, degrees, breaks)
+    Spline::joined(Form::from_homogeneous(&orders, form.ambient(), poles)?, &degrees, &breaks)
 }
 
 /// The matrix of subdivision at level `r`: `degree·2^r + 1` rows, `degree + 1` columns.

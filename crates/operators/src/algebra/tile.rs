@@ -3,7 +3,7 @@
 use pforms_kernel::{Error, Form, Result, Scalar, limit};
 
 use super::immerse;
-use super::piecewise::indices;
+use super::spline::indices;
 
 /// The forms of a cell, drawn in the unit cube of the cage's parameters, repeated `counts[k]` times
 /// along each parameter `k` and immersed in the cage.

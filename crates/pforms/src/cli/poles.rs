@@ -9,7 +9,7 @@ use super::print;
 pub(crate) fn lines<S: Arithmetic>(value: &Value<S>, language: Language) -> Vec<String> {
     match value {
         Value::Form(form) if form.axes() > 0 => with_poles(value, form, language),
-        Value::Piecewise(pieces) => with_poles(value, pieces.net(), language),
+        Value::Spline(pieces) => with_poles(value, pieces.net(), language),
         Value::Text(text) => text.lines().map(str::to_owned).collect(),
         Value::List(items) => {
             let mut all = vec![value.kind(language)];

@@ -1,0 +1,242 @@
+//! The class `Spline`: forms end to end, with knots.
+
+use numpy::PyArrayDyn;
+use pforms_kernel::{Error, Form};
+use pforms_operators::{Poles, Spline};
+use pyo3::prelude::*;
+use pyo3::types::{PyIterator, PyList, PyTuple};
+
+use crate::arguments::wholes;
+use crate::arrays::Numbers;
+use crate::errors::{done, fail, mistyped, raised};
+use crate::evaluation::points;
+use crate::form::{PyForm, from_homogeneous};
+use crate::outputs::array;
+use crate::shapes;
+use crate::view::view;
+
+/// A B-spline form of any number of axes (NURBS): poles, and along each axis a degree and knots.
+///
+/// It evaluates as one form and unpacks into its Bézier pieces, the last axis fastest.
+///
+/// Parameters
+/// ----------
+/// net : Form or array_like, shape (n1, …, nd, c)
+///     The poles; a form brings their weights.
+/// degrees : int or sequence of int
+///     The degree of every piece along each axis.
+/// knots : sequence of sequences of float
+///     For each axis a full knot vector of n + degree + 1 numbers; for a curve a plain one will do.
+///
+/// Raises
+/// ------
+/// ShapeError
+///     When the numbers of poles, degrees and knots do not fit.
+/// DomainError
+///     When knots decrease, more than degree + 1 coincide, or the window is empty.
+///
+/// Examples
+/// --------
+/// >>> curve = pf.Spline([(0, 0), (0, 2), (2, 2), (2, 0)], 2, [0, 1, 2, 3, 4, 5, 6])
+/// >>> curve(3)
+/// array([1., 2.])
+/// >>> low, high = curve
+/// >>> low.poles
+/// array([[0., 1.],
+///        [0., 2.],
+///        [1., 2.]])
+#[pyclass(frozen, module = "pforms", name = "Spline", weakref)]
+pub(crate) struct PySpline {
+    pub(crate) spline: Spline,
+}
+
+impl From<Spline> for PySpline {
+    fn from(spline: Spline) -> Self {
+        Self { spline }
+    }
+}
+
+#[pymethods]
+impl PySpline {
+    #[new]
+    #[pyo3(signature = (net, degrees, knots))]
+    fn new(
+        net: &Bound<'_, PyAny>,
+        degrees: &Bound<'_, PyAny>,
+        knots: &Bound<'_, PyAny>,
+    ) -> PyResult<Self> {
+        let net = shapes::read("net", net)?.net().clone();
+        let degrees = wholes("degrees", degrees, net.axes())?;
+        let knots = knot_lists(knots, net.axes())?;
+        Spline::new(net, &degrees, knots).map(Self::from).map_err(|error| raised(&error))
+    }
+
+    /// The knots of each axis.
+    ///
+    /// >>> pf.Spline([(0,), (1,), (3,)], 1, [0, 0, 1, 2, 2]).knots
+    /// (array([0., 0., 1., 2., 2.]),)
+    #[getter]
+    fn knots<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyTuple>> {
+        let lists = self.spline.knots().iter().map(|knots| knots.as_slice().to_vec());
+        let arrays: Vec<_> =
+            lists.map(|list| array(py, &[list.len()], list)).collect::<PyResult<_>>()?;
+        PyTuple::new(py, arrays)
+    }
+
+    /// The homogeneous poles, shape (n1, …, c+1), read-only.
+    ///
+    /// >>> pf.Form([(0,), (2,)]).subdivide(1).homogeneous
+    /// array([[0., 1.],
+    ///        [1., 1.],
+    ///        [2., 1.]])
+    #[getter]
+    fn homogeneous<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
+        view(&Bound::new(py, self.net())?)
+    }
+
+    /// The poles as a form: the control net, not the same points.
+    ///
+    /// >>> pf.Form([(0, 0), (1, 2), (2, 0)]).subdivide(1).net
+    /// <pforms.Form pL5 in 2D>
+    #[getter]
+    fn net(&self) -> PyForm {
+        self.spline.net().clone().into()
+    }
+
+    /// The pieces as forms, the last axis fastest.
+    ///
+    /// >>> pf.Form([(0, 0), (1, 2), (2, 0)]).subdivide(1).pieces
+    /// [<pforms.Form pL3 in 2D>, <pforms.Form pL3 in 2D>]
+    #[getter]
+    fn pieces<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyList>> {
+        let pieces = done(py, self.spline.net().homogeneous().len(), || self.spline.pieces())?;
+        PyList::new(py, pieces.into_iter().map(PyForm::from))
+    }
+
+    /// Along each axis, the parameters where pieces begin and end.
+    ///
+    /// >>> pf.Form([(0, 0), (1, 2), (2, 0)]).subdivide(1).breaks
+    /// (array([0. , 0.5, 1. ]),)
+    #[getter]
+    fn breaks<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyTuple>> {
+        let lists = self.spline.breaks().into_iter();
+        let arrays: Vec<_> =
+            lists.map(|list| array(py, &[list.len()], list)).collect::<PyResult<_>>()?;
+        PyTuple::new(py, arrays)
+    }
+
+    /// Degree of every piece along each axis.
+    ///
+    /// >>> pf.Form([(0, 0), (1, 2), (2, 0)]).subdivide(1).degrees
+    /// (2,)
+    #[getter]
+    fn degrees<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyTuple>> {
+        PyTuple::new(py, self.spline.degrees())
+    }
+
+    /// Number of pieces along each axis.
+    ///
+    /// >>> pf.Form([(0, 0), (1, 2), (2, 0)]).subdivide(3).counts
+    /// (8,)
+    #[getter]
+    fn counts<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyTuple>> {
+        PyTuple::new(py, self.spline.counts())
+    }
+
+    /// Number of axes.
+    ///
+    /// >>> pf.Form([(0, 0), (1, 2)]).subdivide(1).axes
+    /// 1
+    #[getter]
+    fn axes(&self) -> usize {
+        self.spline.net().axes()
+    }
+
+    /// Dimension of the space the pieces lie in.
+    ///
+    /// >>> pf.Form([(0, 0), (1, 2)]).subdivide(1).ambient
+    /// 2
+    #[getter]
+    fn ambient(&self) -> usize {
+        self.spline.net().ambient()
+    }
+
+    /// Points at broadcast parameters, as :meth:`Form.__call__`.
+    #[pyo3(signature = (*parameters))]
+    fn __call__<'py>(
+        &self,
+        parameters: &Bound<'py, PyTuple>,
+    ) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
+        points(&self.spline, parameters, None, None)
+    }
+
+    fn __iter__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyIterator>> {
+        self.pieces(py)?.try_iter()
+    }
+
+    fn __len__(&self) -> usize {
+        self.spline.counts().iter().product()
+    }
+
+    fn __repr__(&self) -> String {
+        let counts: Vec<String> = self.spline.counts().iter().map(usize::to_string).collect();
+        let orders: Vec<usize> = self.spline.degrees().iter().map(|degree| degree + 1).collect();
+        format!(
+            "<pforms.Spline of {} pieces {} in {}D>",
+            if counts.is_empty() { "1".to_owned() } else { counts.join("×") },
+            pforms_kernel::Kind::new(&orders),
+            self.spline.net().ambient()
+        )
+    }
+
+    fn __eq__(&self, other: &Self) -> bool {
+        self.spline == other.spline
+    }
+
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, Restored<'py>)> {
+        let make = py.get_type::<Self>().getattr("_restore")?;
+        let knots = self.spline.knots().iter().map(|knots| knots.as_slice().to_vec());
+        Ok((make, (self.homogeneous(py)?, self.spline.degrees(), knots.collect())))
+    }
+
+    #[staticmethod]
+    #[allow(clippy::needless_pass_by_value, reason = "arguments come from Python by value")]
+    fn _restore(
+        net: &Bound<'_, PyAny>,
+        degrees: Vec<usize>,
+        knots: Vec<Vec<f64>>,
+    ) -> PyResult<Self> {
+        let net: Form =
+            from_homogeneous("net", &Numbers::read("net", net)?).map_err(|e| raised(&e))?;
+        Spline::new(net, &degrees, knots).map(Self::from).map_err(|error| raised(&error))
+    }
+}
+
+/// A list of knots for each axis; of a curve a plain list of numbers.
+fn knot_lists(object: &Bound<'_, PyAny>, axes: usize) -> PyResult<Vec<Vec<f64>>> {
+    if axes == 1
+        && let Ok(numbers) = Numbers::read("knots", object)
+        && numbers.shape().len() == 1
+    {
+        return Ok(vec![numbers.into_values()]);
+    }
+    let Ok(lists) = object.try_iter() else {
+        return Err(mistyped("knots", object, "a sequence of numbers for each axis"));
+    };
+    lists
+        .map(|list| {
+            let numbers = Numbers::read("knots", &list?)?;
+            match numbers.shape() {
+                [_] => Ok(numbers.into_values()),
+                shape => fail(&Error::shape(
+                    "knots",
+                    format!("an array of shape {shape:?} for one axis"),
+                    "a sequence of numbers for each axis",
+                )),
+            }
+        })
+        .collect()
+}
+
+/// Net, degrees and knots, as they are pickled.
+type Restored<'py> = (Bound<'py, PyArrayDyn<f64>>, Vec<usize>, Vec<Vec<f64>>);

@@ -1,0 +1,109 @@
+//! Fewer knots: knot insertion run backwards.
+
+use pforms_kernel::{Error, Matrix, Result, Scalar};
+
+use super::{Knots, Spline};
+
+/// A spline of fewer knots, and the spline it replaces raised to the same poles.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Removal<S = f64> {
+    /// The spline without the knot.
+    pub spline: Spline<S>,
+    /// How far a homogeneous pole of the original is from what inserting the knot again gives, at
+    /// most: 0 when the knot was not needed. A polynomial spline of weight 1 moves by no more than
+    /// the square root of its dimension times this.
+    pub defect: S,
+}
+
+impl<S: Scalar> Spline<S> {
+    /// The spline with the knot `t` of `axis` repeated once less, exact if the spline is smooth
+    /// enough there; otherwise near, and `defect` says how near.
+    ///
+    /// The equations of knot insertion are solved from both ends, where they do not amplify.
+    /// *The NURBS Book*, section 5.4.
+    ///
+    /// Errors: `Shape` when there is no such axis; `Domain` unless `t` is an inner knot.
+    ///
+    /// ```
+    /// use pforms_kernel::Form;
+    /// use pforms_operators::Spline;
+    /// let line: Spline = Form::from_points(&[3], 1, &[0., 1., 4.], None)?.into();
+    /// let cut = line.insert_knots(0, &[0.5])?;
+    /// let again = cut.remove_knot(0, &0.5)?;
+    /// assert_eq!((again.spline, again.defect), (line, 0.0));
+    /// # Ok::<(), pforms_kernel::Error>(())
+    /// ```
+    pub fn remove_knot(&self, axis: usize, t: &S) -> Result<Removal<S>> {
+        self.net.require_axis(axis)?;
+        let fewer = self.knots[axis].without(t)?;
+        let matrix = self.knots[axis].removal(&fewer)?;
+        let mut knots = self.knots.clone();
+        knots[axis] = fewer;
+        let spline = Self { net: self.net.along_affine(axis, &matrix)?, knots };
+        let again = spline.refined(self.knots.clone())?;
+        let pairs = again.net.homogeneous().iter().zip(self.net.homogeneous());
+        let mut defect = S::zero();
+        for (there, here) in pairs {
+            let gap = there.clone() - here.clone();
+            let gap = if gap < S::zero() { -gap } else { gap };
+            if gap > defect {
+                defect = gap;
+            }
+        }
+        Ok(Removal { spline, defect })
+    }
+}
+
+impl<S: Scalar> Knots<S> {
+    /// These knots with one `t` less.
+    fn without(&self, t: &S) -> Result<Self> {
+        let (from, to) = self.window();
+        if !(from < t && t < to && self.multiplicity(t) > 0) {
+            let inner: Vec<S> = self.breaks().into_iter().filter(|b| b > from && b < to).collect();
+            return Err(Error::domain(
+                "t",
+                format!("{t:?}"),
+                format!("an inner knot of {inner:?}"),
+            ));
+        }
+        let mut list = self.as_slice().to_vec();
+        list.remove(list.partition_point(|knot| knot < t));
+        Self::new(self.degree(), list)
+    }
+
+    /// The matrix to the poles over `fewer` knots.
+    ///
+    /// Inserting gives `q_i = a_i·p_i + (1 − a_i)·p_{i−1}` for the poles near the knot: each `p_i`
+    /// is read from the left while `a_i` is at least a half, else from the right.
+    fn removal(&self, fewer: &Self) -> Result<Matrix<S>> {
+        let insertion = fewer.refinement(self)?;
+        let (many, few) = (self.order(), fewer.order());
+        let share = |i: usize| if i < few { insertion.row(i)[i].clone() } else { S::zero() };
+        let half = S::ratio(1, 2);
+        let turn = (0..few).find(|&i| share(i) < half).unwrap_or(few);
+        let unit = |i: usize| -> Vec<S> {
+            let mut row = vec![S::zero(); many];
+            row[i] = S::one();
+            row
+        };
+        let solved = |i: usize, own: &S, other: Option<&Vec<S>>| -> Vec<S> {
+            let mut row = unit(i);
+            if let Some(other) = other {
+                S::add_multiple(&mut row, &(own.clone() - S::one()), other);
+            }
+            row.iter().map(|x| x.clone() / own.clone()).collect()
+        };
+        let mut rows: Vec<Vec<S>> = vec![Vec::new(); few];
+        for i in 0..turn {
+            let before = i.checked_sub(1).map(|k| rows[k].clone());
+            rows[i] = solved(i, &share(i), before.as_ref());
+        }
+        for i in (turn..few).rev() {
+            // q_{i+1} = a·p_{i+1} + (1 − a)·p_i
+            let other = S::one() - share(i + 1);
+            let after = rows.get(i + 1).cloned();
+            rows[i] = solved(i + 1, &other, after.as_ref());
+        }
+        Matrix::from_rows(rows)
+    }
+}
