@@ -1,4 +1,5 @@
-//! What tests share: random forms, known shapes, and the cases of the original system.
+//! What tests share: random forms, known shapes, the cases of the original system, and models of
+//! other programs.
 #![allow(
     clippy::unwrap_used,
     clippy::expect_used,
@@ -7,6 +8,7 @@
 )]
 
 pub mod memory;
+pub mod models;
 mod random;
 mod reference;
 mod shapes;
