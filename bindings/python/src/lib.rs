@@ -7,6 +7,7 @@ mod arguments;
 mod arithmetic;
 mod arrays;
 mod columns;
+mod composing;
 mod drawing;
 mod errors;
 mod evaluation;
@@ -39,6 +40,8 @@ mod view;
 /// The compiled half of the package `pforms`.
 #[pyo3::pymodule]
 mod _pforms {
+    #[pymodule_export]
+    use crate::composing::{affine_matrix, affine_sweep};
     #[pymodule_export]
     use crate::drawing::_draw_forms;
     #[pymodule_export]

@@ -26,6 +26,8 @@ def projected(f, net, part=None, **more):
 
 # How the arguments of a golden case are handed over: `f` a form, then what the operator takes.
 CALLS = {
+    "affine_matrix": pf.affine_matrix,
+    "affine_sweep": pf.affine_sweep,
     "bernstein": pf.bernstein,
     "blossom": lambda f, *lists: f.blossom(*(lists if isinstance(lists[0], list) else [lists])),
     "combine": lambda k, *forms: pf.combine(k, forms),

@@ -61,6 +61,15 @@ pub(crate) fn multipliable<S: Arithmetic>(form: Form<S>) -> Result<Form<S>, Fail
     Ok(form)
 }
 
+/// Passes if every matrix may be applied to every pole of a section.
+pub(crate) fn require_sweepable<S: Arithmetic>(
+    matrix: &Form<S>,
+    section: &Form<S>,
+) -> Result<(), Failure> {
+    let work = matrix.homogeneous().len() as f64 * section.pole_count() as f64;
+    require::<S>(work * long(longest(matrix.homogeneous()) + longest(section.homogeneous())))
+}
+
 /// Passes if `inner` may be immersed in `host`, `copies` times.
 pub(crate) fn require_immersible<S: Arithmetic>(
     inner: &Form<S>,

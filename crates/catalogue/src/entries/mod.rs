@@ -15,6 +15,7 @@ mod lists;
 mod numbers;
 mod pieces;
 mod projecting;
+mod sweeping;
 mod windows;
 
 use pforms_kernel::Form;
@@ -34,6 +35,7 @@ pub(crate) fn all() -> Vec<Operator> {
         framing::ENTRIES,
         interpolating::ENTRIES,
         immersing::ENTRIES,
+        sweeping::ENTRIES,
         projecting::ENTRIES,
         forms::ENTRIES,
         pieces::ENTRIES,

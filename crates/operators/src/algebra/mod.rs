@@ -1,5 +1,7 @@
 //! Exact operators: generic over the scalar, linear or multilinear in the poles, no tolerance.
 
+mod affine_matrix;
+mod affine_sweep;
 mod along;
 mod blossom;
 mod combine;
@@ -23,6 +25,8 @@ mod stretch;
 mod subdivide;
 mod tile;
 
+pub use affine_matrix::affine_matrix;
+pub use affine_sweep::affine_sweep;
 pub use blossom::blossom;
 pub use combine::combine;
 pub use derivative::{derivative, hodograph};
