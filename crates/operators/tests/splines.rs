@@ -336,3 +336,27 @@ fn bad_knots_are_named() {
     let error = Spline::new(net, &[2], vec![vec![0., 0., 1., 1.]]).unwrap_err();
     assert!(matches!(error, Error::Shape(_)));
 }
+
+/// What knots do to poles is local: work and memory grow with the poles, not with their square,
+/// which for so many would be 10 GB.
+#[test]
+fn a_spline_of_many_poles_is_taken_apart() {
+    let count = 20_000_u32;
+    let points: Vec<f64> = (0..2 * count).map(|i| f64::from(i % 1009)).collect();
+    let net = Form::from_points(&[count as usize], 2, &points, None).unwrap();
+    let knots = (0..count + 4).map(f64::from).collect();
+    let spline = Spline::new(net, &[3], vec![knots]).unwrap();
+    let bezier = spline.bezier().unwrap();
+    assert_eq!(bezier.net().orders(), [3 * (count as usize - 3) + 1]);
+    let finer = spline.insert_knots(0, &[77.5]).unwrap();
+    for t in [3.0, 4.25, 77.5, 12_345.625] {
+        let point = spline.at(&[t]).unwrap();
+        for other in [&bezier, &finer, &spline.elevate(&[1]).unwrap()] {
+            let there = other.at(&[t]).unwrap();
+            // Convex combinations of poles below 1009, some ten roundings.
+            assert!(there.iter().zip(&point).all(|(a, b)| (a - b).abs() < 1e-11));
+        }
+    }
+    let removal = finer.remove_knot(0, &77.5).unwrap();
+    assert!(removal.defect < 1e-11 && removal.spline.knots() == spline.knots());
+}

@@ -14,18 +14,30 @@ impl<S: Scalar> Spline<S> {
         if let Some(t) = parameters.iter().find(|t| !t.is_finite()) {
             return Err(Error::domain("parameters", format!("{t:?}"), "finite numbers"));
         }
-        let mut poles = self.net.homogeneous().to_vec();
-        for (axis, (t, knots)) in parameters.iter().zip(&self.knots).enumerate() {
-            let (first, factors) = knots.basis(t);
-            let share = poles.len() / self.net.orders()[axis];
+        let (spans, factors): (Vec<usize>, Vec<Vec<S>>) = self
+            .knots
+            .iter()
+            .zip(parameters)
+            .map(|(knots, t)| {
+                let (first, factors) = knots.basis(t);
+                (first + knots.degree(), factors)
+            })
+            .unzip();
+        // Only the poles of one piece count.
+        let mut poles = Vec::new();
+        self.copy(&spans, self.net.homogeneous(), &mut poles);
+        let weight = poles[self.ambient()].clone();
+        let one_weight = poles.chunks_exact(self.net.width()).all(|p| p[self.ambient()] == weight);
+        for factors in &factors {
+            let share = poles.len() / factors.len();
             let mut sum = vec![S::zero(); share];
-            for (factor, line) in factors.iter().zip(poles.chunks_exact(share).skip(first)) {
+            for (factor, line) in factors.iter().zip(poles.chunks_exact(share)) {
                 S::add_multiple(&mut sum, factor, line);
             }
             poles = sum;
         }
-        if let Some(weight) = self.net.uniform_weight() {
-            poles[self.net.ambient()] = weight.clone();
+        if one_weight {
+            poles[self.ambient()] = weight;
         }
         Ok(poles)
     }

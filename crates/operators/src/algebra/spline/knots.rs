@@ -1,8 +1,11 @@
 //! The knots of one axis, and the rows of numbers by which they mix poles.
 
+use std::cmp::Ordering;
 use std::ops::Range;
 
 use pforms_kernel::{Error, Matrix, Result, Scalar, limit};
+
+use super::rows::{Row, Rows};
 
 /// A degree and a knot vector: how one axis of a [`Spline`](super::Spline) is cut into pieces.
 ///
@@ -88,7 +91,8 @@ impl<S: Scalar> Knots<S> {
 
     /// How many knots are equal to `t`.
     pub fn multiplicity(&self, t: &S) -> usize {
-        self.list.iter().filter(|knot| *knot == t).count()
+        let before = self.list.partition_point(|knot| knot < t);
+        self.list[before..].iter().take_while(|knot| *knot == t).count()
     }
 
     /// The last `i` of the window with `u_i ≤ t` and `u_i < u_{i+1}`; before the window the first.
@@ -142,13 +146,13 @@ impl<S: Scalar> Knots<S> {
     /// is the blossom at `finer[j+1 … j+p]` (Goldman and Lyche; the Oslo algorithm).
     ///
     /// `finer` holds every knot of the inside of its own window at least as often as `self`.
-    pub(super) fn refinement(&self, finer: &Self) -> Result<Matrix<S>> {
+    pub(super) fn refinement(&self, finer: &Self) -> Result<Rows<S>> {
         self.rows_over(finer, |span, arguments| self.blossom(span, arguments))
     }
 
     /// The matrix to the poles of one degree more over `raised` knots: the blossom of degree
     /// `p + 1` is the mean of those of degree `p` with one argument left out.
-    pub(super) fn elevation(&self, raised: &Self) -> Result<Matrix<S>> {
+    pub(super) fn elevation(&self, raised: &Self) -> Result<Rows<S>> {
         let share = S::ratio(1, self.degree as i64 + 1);
         self.rows_over(raised, |span, arguments| {
             let mut sum = vec![S::zero(); self.degree + 1];
@@ -160,15 +164,16 @@ impl<S: Scalar> Knots<S> {
         })
     }
 
-    fn rows_over(&self, new: &Self, row: impl Fn(usize, &[S]) -> Vec<S>) -> Result<Matrix<S>> {
-        limit::check::<S>("the matrix of the knots", &[new.order(), self.order()], 1)?;
-        Ok(Matrix::from_writer(new.order(), self.order(), |j, entries| {
-            let within = j.max(new.degree)..=(j + new.degree).min(new.order() - 1);
-            let piece = within.clone().find(|&i| new.list[i] < new.list[i + 1]);
-            let span = self.span(&new.list[piece.unwrap_or(*within.start())]);
-            let factors = row(span, &new.list[j + 1..=j + new.degree]);
-            entries[span - self.degree..=span].clone_from_slice(&factors);
-        }))
+    fn rows_over(&self, new: &Self, row: impl Fn(usize, &[S]) -> Vec<S>) -> Result<Rows<S>> {
+        limit::check::<S>("the refined knots", &[new.order(), self.degree + 1], 1)?;
+        let mix = |j: usize| {
+            let mut within = j.max(new.degree)..=(j + new.degree).min(new.order() - 1);
+            let start = *within.start();
+            let piece = within.find(|&i| new.list[i] < new.list[i + 1]);
+            let span = self.span(&new.list[piece.unwrap_or(start)]);
+            Row::new(span - self.degree, row(span, &new.list[j + 1..=j + new.degree]))
+        };
+        Ok(Rows::new((0..new.order()).map(mix).collect()))
     }
 
     /// The matrix from the poles to the Bézier poles of the piece over `span`.
@@ -202,10 +207,8 @@ impl<S: Scalar> Knots<S> {
                 format!("knots in the window from {from:?} to {to:?}"),
             ));
         }
-        let mut list = self.list.clone();
-        for knot in more {
-            list.insert(list.partition_point(|other| other <= knot), knot.clone());
-        }
+        let mut list = [self.list.as_slice(), more].concat();
+        list.sort_by(|a, b| a.partial_cmp(b).unwrap_or(Ordering::Equal));
         Self::new(self.degree, list)
     }
 

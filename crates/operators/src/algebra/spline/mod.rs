@@ -6,6 +6,7 @@ mod knots;
 mod pieces;
 mod refine;
 mod removal;
+mod rows;
 mod shape;
 mod window;
 

@@ -38,7 +38,7 @@ impl<S: Scalar> Spline<S> {
     }
 
     /// Copies the poles that count over the spans from a part of the net whose first axes are gone.
-    fn copy(&self, spans: &[usize], part: &[S], poles: &mut Vec<S>) {
+    pub(super) fn copy(&self, spans: &[usize], part: &[S], poles: &mut Vec<S>) {
         let axis = self.knots.len() - spans.len();
         let whole = |(knots, order): (&Knots<S>, &usize)| knots.degree() + 1 == *order;
         if self.knots[axis..].iter().zip(&self.net.orders()[axis..]).all(whole) {

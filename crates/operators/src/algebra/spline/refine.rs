@@ -31,7 +31,7 @@ impl<S: Scalar> Spline<S> {
         let mut net = self.net.clone();
         for (axis, (old, new)) in self.knots.iter().zip(&finer).enumerate() {
             if old != new {
-                net = net.along_affine(axis, &old.refinement(new)?)?;
+                net = old.refinement(new)?.act(&net, axis)?;
             }
         }
         Ok(Self { net, knots: finer })
@@ -47,8 +47,7 @@ impl<S: Scalar> Spline<S> {
         for (axis, &more) in by.iter().enumerate() {
             for _ in 0..more {
                 let raised = result.knots[axis].raised()?;
-                let matrix = result.knots[axis].elevation(&raised)?;
-                result.net = result.net.along_affine(axis, &matrix)?;
+                result.net = result.knots[axis].elevation(&raised)?.act(&result.net, axis)?;
                 result.knots[axis] = raised;
             }
         }

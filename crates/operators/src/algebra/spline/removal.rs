@@ -1,7 +1,8 @@
 //! Fewer knots: knot insertion run backwards.
 
-use pforms_kernel::{Error, Matrix, Result, Scalar};
+use pforms_kernel::{Error, Result, Scalar};
 
+use super::rows::{Row, Rows};
 use super::{Knots, Spline};
 
 /// A spline of fewer knots, and the spline it replaces raised to the same poles.
@@ -36,10 +37,10 @@ impl<S: Scalar> Spline<S> {
     pub fn remove_knot(&self, axis: usize, t: &S) -> Result<Removal<S>> {
         self.net.require_axis(axis)?;
         let fewer = self.knots[axis].without(t)?;
-        let matrix = self.knots[axis].removal(&fewer)?;
+        let net = self.knots[axis].removal(&fewer)?.act(&self.net, axis)?;
         let mut knots = self.knots.clone();
         knots[axis] = fewer;
-        let spline = Self { net: self.net.along_affine(axis, &matrix)?, knots };
+        let spline = Self { net, knots };
         let again = spline.refined(self.knots.clone())?;
         let pairs = again.net.homogeneous().iter().zip(self.net.homogeneous());
         let mut defect = S::zero();
@@ -75,35 +76,28 @@ impl<S: Scalar> Knots<S> {
     ///
     /// Inserting gives `q_i = a_i·p_i + (1 − a_i)·p_{i−1}` for the poles near the knot: each `p_i`
     /// is read from the left while `a_i` is at least a half, else from the right.
-    fn removal(&self, fewer: &Self) -> Result<Matrix<S>> {
+    fn removal(&self, fewer: &Self) -> Result<Rows<S>> {
         let insertion = fewer.refinement(self)?;
-        let (many, few) = (self.order(), fewer.order());
-        let share = |i: usize| if i < few { insertion.row(i)[i].clone() } else { S::zero() };
+        let few = fewer.order();
+        let share = |i: usize| if i < few { insertion.row(i).entry(i) } else { S::zero() };
         let half = S::ratio(1, 2);
         let turn = (0..few).find(|&i| share(i) < half).unwrap_or(few);
-        let unit = |i: usize| -> Vec<S> {
-            let mut row = vec![S::zero(); many];
-            row[i] = S::one();
-            row
-        };
-        let solved = |i: usize, own: &S, other: Option<&Vec<S>>| -> Vec<S> {
-            let mut row = unit(i);
-            if let Some(other) = other {
-                S::add_multiple(&mut row, &(own.clone() - S::one()), other);
+        let solved = |i: usize, own: &S, other: Option<&Row<S>>| match other {
+            Some(other) if *own != S::one() => {
+                Row::unit(i).with_multiple(&(own.clone() - S::one()), other, own)
             }
-            row.iter().map(|x| x.clone() / own.clone()).collect()
+            _ => Row::unit(i),
         };
-        let mut rows: Vec<Vec<S>> = vec![Vec::new(); few];
+        let mut rows: Vec<Row<S>> = Vec::with_capacity(few);
         for i in 0..turn {
-            let before = i.checked_sub(1).map(|k| rows[k].clone());
-            rows[i] = solved(i, &share(i), before.as_ref());
+            rows.push(solved(i, &share(i), rows.last()));
         }
+        let mut rest: Vec<Row<S>> = Vec::with_capacity(few - turn);
         for i in (turn..few).rev() {
             // q_{i+1} = a·p_{i+1} + (1 − a)·p_i
-            let other = S::one() - share(i + 1);
-            let after = rows.get(i + 1).cloned();
-            rows[i] = solved(i + 1, &other, after.as_ref());
+            rest.push(solved(i + 1, &(S::one() - share(i + 1)), rest.last()));
         }
-        Matrix::from_rows(rows)
+        rows.extend(rest.into_iter().rev());
+        Ok(Rows::new(rows))
     }
 }
