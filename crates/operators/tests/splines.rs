@@ -332,6 +332,7 @@ fn bad_knots_are_named() {
     refused(1, &[0., 0., 0., 1., 1.], "repeated more than 2 times");
     refused(1, &[0., f64::NAN, 1., 1.], "as knot 1");
     refused(0, &[1., 1.], "repeated more than 1 times");
+    refused(1, &[-1.5e308, -1.5e308, 1.5e308, 1.5e308], "differences are finite");
     let net: Form = Form::from_points(&[3], 1, &[0., 1., 2.], None).unwrap();
     let error = Spline::new(net, &[2], vec![vec![0., 0., 1., 1.]]).unwrap_err();
     assert!(matches!(error, Error::Shape(_)));
@@ -359,4 +360,24 @@ fn a_spline_of_many_poles_is_taken_apart() {
     }
     let removal = finer.remove_knot(0, &77.5).unwrap();
     assert!(removal.defect < 1e-11 && removal.spline.knots() == spline.knots());
+}
+
+/// Two knots that differ by less than a rounding of the window's end cannot be told apart there.
+#[test]
+fn knots_that_would_fall_together_are_an_error() {
+    let net: Form = Form::from_points(&[3], 1, &[0., 1., 2.], None).unwrap();
+    let spline = Spline::new(net, &[1], vec![vec![0., 0., 1e-300, 1., 1.]]).unwrap();
+    assert_eq!(spline.at(&[1e-300]).unwrap(), [1.0]);
+    assert!(matches!(spline.reverse(0), Err(Error::Domain(_))));
+    assert!(matches!(spline.on_window(0, &1.0, &2.0), Err(Error::Domain(_))));
+}
+
+#[test]
+fn a_spline_of_one_piece_is_elevated_as_its_form() {
+    let mut random = Random::new(12);
+    let form: Form<Q> = random.form(&[3, 2], 2, Weights::Positive);
+    let spline = Spline::from(form.clone()).on_window(0, &q(-1, 1), &q(5, 3)).unwrap();
+    let raised = spline.elevate(&[2, 3]).unwrap();
+    assert_eq!(*raised.net(), elevate(&form, &[2, 3]).unwrap());
+    assert_eq!((raised.degrees(), raised.breaks()), (vec![4, 4], spline.breaks()));
 }

@@ -23,7 +23,8 @@ impl<S: Scalar> Knots<S> {
     /// A knot vector of a degree.
     ///
     /// Errors: `Shape` for fewer than `2·degree + 2` knots; `Domain` when a knot is not finite or
-    /// less than the one before, when more than `degree + 1` coincide, or the window is empty.
+    /// less than the one before, when more than `degree + 1` coincide, when the window is empty, or
+    /// when the difference of two knots is not finite.
     pub fn new(degree: usize, list: Vec<S>) -> Result<Self> {
         let least = degree.saturating_mul(2).saturating_add(2);
         if list.len() < least {
@@ -43,6 +44,11 @@ impl<S: Scalar> Knots<S> {
                 format!("{:?} before {:?}, knots {at} and {}", list[at], list[at + 1], at + 1),
                 "knots that do not decrease",
             ));
+        }
+        let (first, last) = (&list[0], &list[list.len() - 1]);
+        if !(last.clone() - first.clone()).is_finite() {
+            let received = format!("{first:?} to {last:?}");
+            return Err(Error::domain("knots", received, "knots whose differences are finite"));
         }
         if let Some(at) = (0..list.len() - degree - 1).find(|&i| list[i] == list[i + degree + 1]) {
             return Err(Error::domain(
@@ -195,6 +201,11 @@ impl<S: Scalar> Knots<S> {
             && self.list[span + 1..=span + degree].iter().all(|knot| *knot == self.list[span + 1])
     }
 
+    /// Is there one piece, which has the poles as they are?
+    pub(super) fn is_one_piece(&self) -> bool {
+        self.order() == self.degree + 1 && self.is_bezier_over(self.degree)
+    }
+
     /// These knots with more of them.
     ///
     /// Errors: `Domain` for a knot outside the window, or one more often than `degree + 1` times.
@@ -253,7 +264,9 @@ impl<S: Scalar> Knots<S> {
     }
 
     /// The knots run backwards, over the same window.
-    pub(super) fn reversed(&self) -> Self {
+    ///
+    /// Errors: `Domain` when rounding would let knots fall together.
+    pub(super) fn reversed(&self) -> Result<Self> {
         let (from, to) = self.window();
         let turned = |knot: &S| {
             if knot == from {
@@ -263,7 +276,7 @@ impl<S: Scalar> Knots<S> {
             // Rounding must not let an inner knot pass the end.
             if knot > from && turned > *to { to.clone() } else { turned }
         };
-        Self { degree: self.degree, list: self.list.iter().rev().map(turned).collect() }
+        Self::new(self.degree, self.list.iter().rev().map(turned).collect())
     }
 
     /// The knots on another window, all at the same relative places.

@@ -3,6 +3,7 @@
 use pforms_kernel::{Error, Result, Scalar};
 
 use super::{Knots, Spline};
+use crate::elevate;
 
 impl<S: Scalar> Spline<S> {
     /// The same spline with more knots along `axis`, a repeated one as often as it is given. Exact.
@@ -45,6 +46,17 @@ impl<S: Scalar> Spline<S> {
         self.net.require_per_axis("by", by)?;
         let mut result = self.clone();
         for (axis, &more) in by.iter().enumerate() {
+            if result.knots[axis].is_one_piece() {
+                // As a form: a triangle less for every pole.
+                let mut along = vec![0; by.len()];
+                along[axis] = more;
+                result.net = elevate(&result.net, &along)?;
+                let (from, to) = result.knots[axis].window();
+                let ends = [from.clone(), to.clone()];
+                let degree = result.knots[axis].degree() + more;
+                result.knots[axis] = Knots::of_breaks(degree, &ends, degree)?;
+                continue;
+            }
             for _ in 0..more {
                 let raised = result.knots[axis].raised()?;
                 result.net = result.knots[axis].elevation(&raised)?.act(&result.net, axis)?;

@@ -51,11 +51,12 @@ impl<S: Scalar> Spline<S> {
     /// The spline run backwards along `axis`, over the same window. Exact but for the rounding of
     /// knots.
     ///
-    /// Errors: `Shape` when there is no such axis.
+    /// Errors: `Shape` when there is no such axis; `Domain` when rounding would let knots fall
+    /// together.
     pub fn reverse(&self, axis: usize) -> Result<Self> {
         let net = reverse(&self.net, axis)?;
         let mut knots = self.knots.clone();
-        knots[axis] = knots[axis].reversed();
+        knots[axis] = knots[axis].reversed()?;
         Ok(Self { net, knots })
     }
 
