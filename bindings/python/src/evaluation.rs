@@ -3,17 +3,20 @@
 use numpy::PyArrayDyn;
 use pforms_kernel::{Form, Result, limit};
 use pforms_operators::{Immersed, Spline};
+use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
 
 use crate::arguments::wholes;
 use crate::errors::raised;
 use crate::form::PyForm;
+use crate::immersed::spline_immersed;
 use crate::operators::immersed;
 use crate::outputs::filled;
 use crate::parameters::Parameters;
 use crate::sampling::Grids;
 use crate::slices::fill_scattered;
+use crate::spline::PySpline;
 
 /// What has a point for every parameter.
 pub(crate) trait Evaluate: Sync {
@@ -166,6 +169,10 @@ impl PyForm {
         {
             let result = immersed(py, &inner.get().form, &self.form)?;
             return Ok(Bound::new(py, result)?.into_any());
+        }
+        if parameters.len() == 1 && parameters.get_item(0)?.is_instance_of::<PySpline>() {
+            let host = PyForm::from(self.form.clone()).into_bound_py_any(py)?;
+            return spline_immersed(&parameters.get_item(0)?, &host);
         }
         points(&self.form, parameters, None, None).map(Bound::into_any)
     }

@@ -3,18 +3,20 @@
 use numpy::PyArrayDyn;
 use pforms_kernel::threads::fill_parts;
 use pforms_kernel::{Form, Kind};
-use pforms_operators::{self as operators, Forecast, Immersed};
+use pforms_operators::{self as operators, Forecast, Immersed, Poles};
 use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyString, PyTuple};
 
 use crate::arguments::{form, truth, whole};
-use crate::errors::raised;
+use crate::errors::{done, raised};
 use crate::evaluation::{derivative_orders, points};
 use crate::form::PyForm;
 use crate::forms::Forms;
 use crate::operators::{immersed, immersion_work};
+use crate::shapes;
 use crate::slices::{in_slices, require_feasible};
+use crate::spline::PySpline;
 
 /// An immersed form without its poles: ``pf.immerse(inner, host, lazy=True)``.
 ///
@@ -46,19 +48,22 @@ impl From<Immersed> for PyImmersed {
 ///
 /// Parameters
 /// ----------
-/// inner : Form or sequence of Form
-/// host : Form
+/// inner : Form, Spline or sequence of Form
+/// host : Form or Spline
+///     The inner form is cut where it crosses a knot of a spline, and the result is a spline.
 /// lazy : bool, optional
 ///     Keep host and inner side by side: no poles until :meth:`Immersed.expand`.
 ///
 /// Returns
 /// -------
-/// Form, or Immersed if lazy; a list of them for a sequence
+/// Form, or Immersed if lazy; Spline if one of them is; a list for a sequence of forms
 ///
 /// Raises
 /// ------
 /// ShapeError
 ///     When the inner coordinates do not fit the axes of the host.
+/// DomainError
+///     When a surface crosses a knot of the host aslant: it cannot be cut into tensor products.
 /// LimitError
 ///     With the forecast size, or above 1e11 multiplications: lazily there is no limit.
 ///
@@ -77,8 +82,12 @@ pub(crate) fn immerse<'py>(
     host: &Bound<'py, PyAny>,
     lazy: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Bound<'py, PyAny>> {
-    let (py, host) = (inner.py(), form("host", host)?);
+    let py = inner.py();
     let lazy = lazy.map_or(Ok(false), |lazy| truth("lazy", lazy))?;
+    if !lazy && (inner.is_instance_of::<PySpline>() || host.is_instance_of::<PySpline>()) {
+        return spline_immersed(inner, host);
+    }
+    let host = form("host", host)?;
     let Ok(one) = inner.cast::<PyForm>() else {
         let list = Forms::read("inner", inner)?;
         return if lazy {
@@ -93,6 +102,19 @@ pub(crate) fn immerse<'py>(
         return kept(inner.clone(), host)?.into_bound_py_any(py);
     }
     immersed(py, inner, &host)?.into_bound_py_any(py)
+}
+
+/// `host ∘ inner` when one of them is a spline.
+pub(crate) fn spline_immersed<'py>(
+    inner: &Bound<'py, PyAny>,
+    host: &Bound<'py, PyAny>,
+) -> PyResult<Bound<'py, PyAny>> {
+    let py = inner.py();
+    let (inner, host) = (shapes::read("inner", inner)?, shapes::read("host", host)?);
+    let cost = inner.net().homogeneous().len().saturating_mul(host.net().homogeneous().len());
+    done(py, cost, || operators::immerse_spline(&inner, &host))
+        .map(PySpline::from)?
+        .into_bound_py_any(py)
 }
 
 fn kept(inner: Form, host: Form) -> PyResult<PyImmersed> {

@@ -27,7 +27,7 @@ pub(crate) fn read(argument: &str, object: &Bound<'_, PyAny>) -> PyResult<Shape>
 
 /// The Python object of a form or of a spline.
 #[allow(dead_code)]
-pub(crate) fn object<'py>(py: Python<'py>, shape: Shape) -> PyResult<Bound<'py, PyAny>> {
+pub(crate) fn object(py: Python<'_>, shape: Shape) -> PyResult<Bound<'_, PyAny>> {
     match shape {
         Shape::Form(form) => PyForm::from(form).into_bound_py_any(py),
         Shape::Spline(spline) => PySpline::from(spline).into_bound_py_any(py),

@@ -11,6 +11,7 @@ use crate::arrays::Numbers;
 use crate::errors::{done, fail, mistyped, raised};
 use crate::evaluation::points;
 use crate::form::{PyForm, from_homogeneous};
+use crate::immersed::spline_immersed;
 use crate::outputs::array;
 use crate::shapes;
 use crate::view::view;
@@ -161,13 +162,19 @@ impl PySpline {
         self.spline.net().ambient()
     }
 
-    /// Points at broadcast parameters, as :meth:`Form.__call__`.
+    /// Points at broadcast parameters, as :meth:`Form.__call__`; of a form or a spline in its
+    /// parameter space the immersion, see :func:`immerse`.
     #[pyo3(signature = (*parameters))]
     fn __call__<'py>(
-        &self,
+        this: &Bound<'py, Self>,
         parameters: &Bound<'py, PyTuple>,
-    ) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
-        points(&self.spline, parameters, None, None)
+    ) -> PyResult<Bound<'py, PyAny>> {
+        if let Ok(inner) = parameters.get_item(0)
+            && (inner.is_instance_of::<PyForm>() || inner.is_instance_of::<Self>())
+        {
+            return spline_immersed(&inner, this.as_any());
+        }
+        points(&this.get().spline, parameters, None, None).map(Bound::into_any)
     }
 
     fn __iter__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyIterator>> {

@@ -311,3 +311,24 @@ def test_the_cap_can_be_changed(make):
                 pf.set_cap(wrong)
     finally:
         pf.set_cap(before)
+
+
+def test_splines_are_immersed_across_knots() -> None:
+    host = pf.Spline(
+        np.random.default_rng(5).random((4, 5, 3)),
+        (2, 3),
+        [[0, 0, 0, 0.4, 1, 1, 1], [0] * 4 + [0.3] + [1] * 4],
+    )
+    inner = pf.Form([(0, 0), (0.2, 1), (1, 1)])
+    curve = host(inner)
+    assert isinstance(curve, pf.Spline)
+    assert curve == pf.immerse(inner, host)
+    assert curve.degrees == (10,)
+    assert len(curve) == 3
+    for t in np.linspace(0, 1, 41):
+        # Degree 10 over poles below 1: some hundred roundings.
+        assert abs(curve(t) - host(*inner(t))).max() < 1e-13
+    joined = pf.Spline([(0, 0), (1, 1), (0, 1)], 1, [0, 0, 0.5, 1, 1])
+    surface = pf.Form([[(0, 0), (0, 1)], [(1, 0), (1, 2)]])
+    assert surface(joined).breaks[0].tolist() == [0, 0.5, 1]
+    assert surface(joined)(0.75).tolist() == surface(*joined(0.75)).tolist()

@@ -2,7 +2,7 @@
 
 use pforms_kernel::{Error, Form, Kind, Rational};
 use pforms_operators as operators;
-use pforms_operators::Immersed;
+use pforms_operators::{Immersed, Shape, Spline};
 
 use super::{Outcome, PLAIN, list_of_forms, list_of_numbers};
 use crate::cost::require_immersible;
@@ -48,10 +48,12 @@ pub(super) static ENTRIES: &[Operator] = &[
             "Une forme exactement dans une autre, avec ses pôles.",
         ),
         help: words(
-            "Coordinate k of the inner form is parameter k of the host. Along each inner axis of order \
+            "Coordinate k of the inner form is parameter k of the host. With a spline on either side the \
+             result is one, cut where the inner form crosses a knot. Along each inner axis of order \
              q the result has order (m-1 summed over the host's orders)·(q-1) + 1; FORECAST tells \
              before any work. With lazy = TRUE the poles are not made until something needs them.",
-            "La coordonnée k de la forme intérieure est le paramètre k de l'hôte. Le long de chaque axe \
+            "La coordonnée k de la forme intérieure est le paramètre k de l'hôte. Avec une spline d'un \
+             côté ou de l'autre le résultat en est une, coupée où la forme intérieure passe un nœud. Le long de chaque axe \
              intérieur d'ordre q, le résultat est d'ordre (somme des m-1 de l'hôte)·(q-1) + 1 ; \
              PREVISION l'annonce avant tout calcul. Avec paresseux = VRAI, les pôles ne sont calculés \
              que lorsqu'ils servent.",
@@ -193,12 +195,29 @@ pub(super) static ENTRIES: &[Operator] = &[
 ];
 
 fn immerse<S: Arithmetic>(a: &Bound<S>) -> Outcome<S> {
-    let (inner, host) = (a.form(0)?, a.form(1)?);
+    let (inner, host) = match (a.shape(0)?, a.shape(1)?) {
+        (Shape::Form(inner), Shape::Form(host)) => (inner, host),
+        (inner, host) => return immerse_spline(a, &inner, &host),
+    };
     if a.boolean(2)? {
         return Ok(Value::Immersed(Immersed::new(inner, host)?));
     }
     require_immersible(&inner, &host, 1)?;
     Ok(operators::immerse(&inner, &host)?.into())
+}
+
+/// One of the two is a spline: neither is kept aside, since the joints decide where to cut.
+fn immerse_spline<S: Arithmetic>(a: &Bound<S>, inner: &Shape<S>, host: &Shape<S>) -> Outcome<S> {
+    if a.boolean(2)? {
+        let expected = words("FALSE for a spline", "FAUX pour une spline");
+        return Err(a.refused(2, &Value::Boolean(true), expected));
+    }
+    let (inside, outside) = (inner.clone().into_spline(), host.clone().into_spline());
+    let first = |spline: &Spline<S>| spline.piece(&vec![0; spline.axes()]);
+    let pieces = inside.counts().iter().product::<usize>();
+    let knots = outside.counts().iter().sum::<usize>();
+    require_immersible(&first(&inside)?, &first(&outside)?, pieces.saturating_mul(knots))?;
+    Ok(operators::immerse_spline(inner, host)?.into())
 }
 
 fn forecast<S: Arithmetic>(a: &Bound<S>) -> Outcome<S> {

@@ -2,6 +2,7 @@
 
 mod fit;
 mod fit_parameters;
+mod immerse_spline;
 mod interpolate;
 mod known_nodes;
 mod least_squares;
@@ -12,5 +13,6 @@ mod vandermonde;
 
 pub use fit::{Fit, FitOptions, fit};
 pub use fit_parameters::Parameters;
+pub use immerse_spline::immerse_spline;
 pub use interpolate::{interpolate, interpolate_homogeneous};
 pub use nodes::Nodes;

@@ -7,6 +7,7 @@ mod local;
 mod normal_form;
 mod normals;
 mod project;
+pub(crate) mod roots;
 mod rotation_minimising;
 mod surface_frame;
 mod tangent_form;
