@@ -2,7 +2,7 @@
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from fractions import Fraction
 from os import PathLike
-from typing import Any, Final, Literal, TypeAlias, final, overload
+from typing import Any, Final, Literal, TypeAlias, TypeVar, final, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -13,6 +13,9 @@ _Array: TypeAlias = NDArray[np.float64]
 _Number: TypeAlias = float | Fraction | np.floating[Any] | np.integer[Any]
 _PerAxis: TypeAlias = _Number | Sequence[_Number] | _Array | NDArray[np.integer[Any]]
 _WholePerAxis: TypeAlias = int | Sequence[int] | NDArray[np.integer[Any]]
+_Vector: TypeAlias = Sequence[_Number] | _Array | NDArray[np.integer[Any]] | Form
+_Unit: TypeAlias = Literal["radians", "degrees", "half tangent"]
+_Movable = TypeVar("_Movable", Form, Spline, Immersed)
 _ListPerAxis: TypeAlias = Sequence[_Number] | Sequence[Sequence[_Number] | _Array] | _Array
 
 __all__ = [
@@ -37,16 +40,23 @@ __all__ = [
     "immerse_points",
     "interpolate",
     "midpoint",
+    "mirror",
     "partition",
     "pascal",
     "polyline",
+    "project_to_plane",
+    "rotate",
+    "scale",
     "segment",
     "set_cap",
     "set_threads",
+    "shear",
     "stack",
     "tessellate",
     "threads",
     "tile",
+    "transform",
+    "translate",
 ]
 
 __version__: Final[str]
@@ -136,6 +146,30 @@ class Form:
     def binormal_form(self) -> Form: ...
     def save(self, path: str | PathLike[str]) -> None: ...
     def blossom(self, *arguments: _Number | Sequence[_Number] | _Array) -> _Array: ...
+    def transform(self, matrix: ArrayLike) -> Form: ...
+    def translate(self, by: _Vector) -> Form: ...
+    def rotate(
+        self,
+        angle: _Number | Sequence[_Number] | _Array,
+        axis: _Vector | None = None,
+        *,
+        centre: _Vector | None = None,
+        plane: Sequence[int] | None = None,
+        unit: _Unit = "radians",
+    ) -> Form: ...
+    def scale(self, factors: _PerAxis | Form, *, centre: _Vector | None = None) -> Form: ...
+    def shear(
+        self, coordinate: int, by: _Vector, *, centre: _Vector | None = None
+    ) -> Form: ...
+    def mirror(self, normal: _Vector, *, origin: _Vector | None = None) -> Form: ...
+    def project_to_plane(
+        self,
+        normal: _Vector,
+        *,
+        origin: _Vector | None = None,
+        direction: _Vector | None = None,
+        lamp: _Vector | None = None,
+    ) -> Form: ...
     def __add__(self, other: Form, /) -> Form: ...
     def __radd__(self, other: Form, /) -> Form: ...
     def __sub__(self, other: Form, /) -> Form: ...
@@ -182,6 +216,30 @@ class Spline:
     def __call__(self, *parameters: ArrayLike) -> _Array: ...
     def __iter__(self) -> Iterator[Form]: ...
     def __len__(self) -> int: ...
+    def transform(self, matrix: ArrayLike) -> Spline: ...
+    def translate(self, by: _Vector) -> Spline: ...
+    def rotate(
+        self,
+        angle: _Number | Sequence[_Number] | _Array,
+        axis: _Vector | None = None,
+        *,
+        centre: _Vector | None = None,
+        plane: Sequence[int] | None = None,
+        unit: _Unit = "radians",
+    ) -> Spline: ...
+    def scale(self, factors: _PerAxis | Form, *, centre: _Vector | None = None) -> Spline: ...
+    def shear(
+        self, coordinate: int, by: _Vector, *, centre: _Vector | None = None
+    ) -> Spline: ...
+    def mirror(self, normal: _Vector, *, origin: _Vector | None = None) -> Spline: ...
+    def project_to_plane(
+        self,
+        normal: _Vector,
+        *,
+        origin: _Vector | None = None,
+        direction: _Vector | None = None,
+        lamp: _Vector | None = None,
+    ) -> Spline: ...
     def __eq__(self, other: object, /) -> bool: ...
     def __reduce__(self) -> tuple[Any, ...]: ...
 
@@ -208,6 +266,30 @@ class Immersed:
         derivative: _WholePerAxis | None = None,
         out: _Array | None = None,
     ) -> _Array: ...
+    def transform(self, matrix: ArrayLike) -> Immersed: ...
+    def translate(self, by: _Vector) -> Immersed: ...
+    def rotate(
+        self,
+        angle: _Number | Sequence[_Number] | _Array,
+        axis: _Vector | None = None,
+        *,
+        centre: _Vector | None = None,
+        plane: Sequence[int] | None = None,
+        unit: _Unit = "radians",
+    ) -> Immersed: ...
+    def scale(self, factors: _PerAxis | Form, *, centre: _Vector | None = None) -> Immersed: ...
+    def shear(
+        self, coordinate: int, by: _Vector, *, centre: _Vector | None = None
+    ) -> Immersed: ...
+    def mirror(self, normal: _Vector, *, origin: _Vector | None = None) -> Immersed: ...
+    def project_to_plane(
+        self,
+        normal: _Vector,
+        *,
+        origin: _Vector | None = None,
+        direction: _Vector | None = None,
+        lamp: _Vector | None = None,
+    ) -> Immersed: ...
     def __eq__(self, other: object, /) -> bool: ...
     def __reduce__(self) -> tuple[Any, ...]: ...
 
@@ -344,3 +426,73 @@ def fit(
     ends: bool = False,
     report: Literal[True],
 ) -> Fit: ...
+@overload
+def transform(form: _Movable, matrix: ArrayLike) -> _Movable: ...
+@overload
+def transform(form: Iterable[_Movable], matrix: ArrayLike) -> list[_Movable]: ...
+@overload
+def translate(form: _Movable, by: _Vector) -> _Movable: ...
+@overload
+def translate(form: Iterable[_Movable], by: _Vector) -> list[_Movable]: ...
+@overload
+def rotate(
+    form: _Movable,
+    angle: _Number | Sequence[_Number] | _Array,
+    axis: _Vector | None = None,
+    *,
+    centre: _Vector | None = None,
+    plane: Sequence[int] | None = None,
+    unit: _Unit = "radians",
+) -> _Movable: ...
+@overload
+def rotate(
+    form: Iterable[_Movable],
+    angle: _Number | Sequence[_Number] | _Array,
+    axis: _Vector | None = None,
+    *,
+    centre: _Vector | None = None,
+    plane: Sequence[int] | None = None,
+    unit: _Unit = "radians",
+) -> list[_Movable]: ...
+@overload
+def scale(
+    form: _Movable, factors: _PerAxis | Form, *, centre: _Vector | None = None
+) -> _Movable: ...
+@overload
+def scale(
+    form: Iterable[_Movable], factors: _PerAxis | Form, *, centre: _Vector | None = None
+) -> list[_Movable]: ...
+@overload
+def shear(
+    form: _Movable, coordinate: int, by: _Vector, *, centre: _Vector | None = None
+) -> _Movable: ...
+@overload
+def shear(
+    form: Iterable[_Movable], coordinate: int, by: _Vector, *, centre: _Vector | None = None
+) -> list[_Movable]: ...
+@overload
+def mirror(
+    form: _Movable, normal: _Vector, *, origin: _Vector | None = None
+) -> _Movable: ...
+@overload
+def mirror(
+    form: Iterable[_Movable], normal: _Vector, *, origin: _Vector | None = None
+) -> list[_Movable]: ...
+@overload
+def project_to_plane(
+    form: _Movable,
+    normal: _Vector,
+    *,
+    origin: _Vector | None = None,
+    direction: _Vector | None = None,
+    lamp: _Vector | None = None,
+) -> _Movable: ...
+@overload
+def project_to_plane(
+    form: Iterable[_Movable],
+    normal: _Vector,
+    *,
+    origin: _Vector | None = None,
+    direction: _Vector | None = None,
+    lamp: _Vector | None = None,
+) -> list[_Movable]: ...

@@ -31,7 +31,7 @@ use crate::spline::PySpline;
 /// array([0.5, 0.5, 0.5])
 #[pyclass(frozen, module = "pforms", name = "Immersed", weakref)]
 pub(crate) struct PyImmersed {
-    immersed: Immersed,
+    pub(crate) immersed: Immersed,
 }
 
 impl From<Immersed> for PyImmersed {

@@ -33,6 +33,7 @@ mod sheet;
 mod slices;
 mod spline;
 mod tessellating;
+mod transforming;
 mod values;
 mod vectors;
 mod view;
@@ -66,6 +67,10 @@ mod _pforms {
     use crate::spline::PySpline;
     #[pymodule_export]
     use crate::tessellating::tessellate;
+    #[pymodule_export]
+    use crate::transforming::{
+        mirror, project_to_plane, rotate, scale, shear, transform, translate,
+    };
 
     /// The version of pforms.
     #[pymodule_export]

@@ -16,6 +16,19 @@ ACCURACY = 1e-12
 FIT_PARTS = {"form": "form", "error": "max_error", "mean error": "rms_error"}
 
 
+def euclidean(point):
+    """A point of a sheet as the numbers a Python program gives."""
+    return point.poles if isinstance(point, pf.Form) else point
+
+
+def lit(f, normal, **more):
+    """A lamp of weight 0 is a direction."""
+    lamp = more.pop("from", None)
+    if lamp is not None:
+        more["lamp" if lamp.weights else "direction"] = lamp.poles
+    return pf.project_to_plane(f, normal, **more)
+
+
 def projected(f, net, part=None, **more):
     """The record of a formula: its points are the poles of a net."""
     found = pf.project(f, net.poles, **more)
@@ -49,6 +62,13 @@ CALLS = {
     "kind": lambda f: f.kind,
     "normal_form": pf.normal_form,
     "orders": lambda f: f.orders,
+    "mirror": pf.mirror,
+    "project_to_plane": lit,
+    "rotate": pf.rotate,
+    "scale": lambda f, factors, **more: pf.scale(f, euclidean(factors), **more),
+    "shear": pf.shear,
+    "transform": pf.transform,
+    "translate": pf.translate,
     "polyline": lambda host, *points: pf.polyline(host, [p.poles for p in points]),
     "tangent_form": pf.tangent_form,
     "weights": lambda f: f.weights.tolist(),
@@ -162,6 +182,10 @@ REFERENCE = {
     "stretch": lambda f, p: f.stretch(p["a"], p["b"]),
     "subdivision": lambda f, p: f.subdivide(p["r"]),
     "subform": lambda f, p: f.sub(p["axis"], p["t"]),
+    "translate": lambda f, p: f.translate(p["by"]),
+    "scale": lambda f, p: f.scale(p["factors"]),
+    "rotate": lambda f, p: f.rotate(p["degrees"], unit="degrees"),
+    "transform": lambda f, p: f.transform(p["matrix"]),
     "interpolation_surface": lambda f, p: pf.interpolate(f, homogeneous=p["homogeneous"]),
 }
 

@@ -92,6 +92,19 @@ impl<S: Arithmetic> Bound<S> {
         }
     }
 
+    /// A vector: the coordinates of a point or of a direction, or a list of numbers.
+    pub(crate) fn vector(&self, index: usize) -> Result<Vec<S>, Failure> {
+        match self.value(index) {
+            Value::Form(form) if form.axes() == 0 => {
+                let pole = form.homogeneous();
+                let direction = pole[form.ambient()].is_zero();
+                if direction { Ok(pole[..form.ambient()].to_vec()) } else { Ok(form.points()?) }
+            }
+            Value::List(items) => items.iter().map(|item| self.number_of(index, item)).collect(),
+            other => Err(self.mistyped(index, &other)),
+        }
+    }
+
     /// A number within the stated range.
     pub(crate) fn number(&self, index: usize) -> Result<S, Failure> {
         self.number_of(index, &self.value(index))

@@ -78,6 +78,21 @@ impl<S: Scalar> Matrix<S> {
         steps.run(input, &mut out)?;
         Ok(out)
     }
+
+    /// The product: what acting with `other` and then with this one does.
+    ///
+    /// Errors: `Shape` unless the columns of this one are the rows of the other.
+    pub fn times(&self, other: &Self) -> Result<Self> {
+        if self.columns != other.rows {
+            return Err(Error::shape(
+                "matrix",
+                format!("{} rows", other.rows),
+                format!("{}, the columns of the other", self.columns),
+            ));
+        }
+        let entries = self.act(&other.entries, other.columns)?;
+        Ok(Self { rows: self.rows, columns: other.columns, entries: entries.into() })
+    }
 }
 
 impl<S: Scalar> Form<S> {

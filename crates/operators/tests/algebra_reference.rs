@@ -3,9 +3,10 @@
 //! Their numbers are kept to 15 digits: 1e-12 of the largest coordinate is the bound.
 #![allow(clippy::unwrap_used, reason = "a test stops at the first surprise")]
 
-use pforms_kernel::Form;
+use pforms_kernel::{Form, Matrix};
 use pforms_operators::{
-    diagonal, elevate, forecast, immerse, immerse_points, stretch, sub, subdivide,
+    Rotation, Turn, diagonal, elevate, forecast, immerse, immerse_points, rotate, scale, stretch,
+    sub, subdivide, transform, translate,
 };
 use pforms_testkit::{Case, cases, net, numbers};
 use serde_json::Value;
@@ -120,5 +121,39 @@ fn table_of_section_2236() {
         let [inner, host] = ["inner", "host"].map(|name| sizes(&case.params[name]));
         let orders = forecast::<f64>(&inner, &host, 3).orders;
         assert_eq!(orders, sizes(&case.expected), "{}", case.id);
+    }
+}
+
+#[test]
+fn translations() {
+    for case in cases("translate") {
+        let by = numbers(&case.params["by"]);
+        assert_net(&case, &translate(&net::<f64>(&case.input), &by).unwrap());
+    }
+}
+
+#[test]
+fn scalings() {
+    for case in cases("scale") {
+        let factors = numbers(&case.params["factors"]);
+        assert_net(&case, &scale(&net::<f64>(&case.input), &factors, &[0.0; 3]).unwrap());
+    }
+}
+
+#[test]
+fn rotations() {
+    for case in cases("rotate") {
+        let angles = numbers(&case.params["degrees"]);
+        let book = Rotation::Book([0, 1, 2].map(|k: usize| Turn::degrees(angles[k]).unwrap()));
+        assert_net(&case, &rotate(&net::<f64>(&case.input), &book, &[0.0; 3]).unwrap());
+    }
+}
+
+#[test]
+fn transformed_points() {
+    for case in cases("transform") {
+        let rows = case.params["matrix"].as_array().unwrap().iter().map(numbers).collect();
+        let matrix = Matrix::from_rows(rows).unwrap();
+        assert_net(&case, &transform(&net::<f64>(&case.input), &matrix).unwrap());
     }
 }

@@ -12,10 +12,13 @@ mod gestures;
 mod immersing;
 mod interpolating;
 mod lists;
+mod mirroring;
 mod numbers;
 mod pieces;
 mod projecting;
 mod sweeping;
+mod transforming;
+mod turning;
 mod windows;
 
 use pforms_kernel::Form;
@@ -37,6 +40,9 @@ pub(crate) fn all() -> Vec<Operator> {
         immersing::ENTRIES,
         sweeping::ENTRIES,
         projecting::ENTRIES,
+        transforming::ENTRIES,
+        turning::ENTRIES,
+        mirroring::ENTRIES,
         forms::ENTRIES,
         pieces::ENTRIES,
         &numbers,

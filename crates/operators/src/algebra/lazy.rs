@@ -3,7 +3,7 @@
 use pforms_kernel::{Form, Jet, Result, Scalar};
 
 use super::immerse::require_fit;
-use super::{Forecast, forecast, immerse};
+use super::{Forecast, Poles, forecast, immerse};
 
 /// `host ∘ inner` without its poles: degrees multiply under immersion, and evaluation does not
 /// need them. Points and derivatives are exact; [`Immersed::expand`] makes the poles.
@@ -75,6 +75,17 @@ impl<S: Scalar> Immersed<S> {
         }
         let outer = level.split_off(self.host.ambient()).remove(0);
         level.iter().map(|jet| Ok(jet.divided_by(&outer)?.top_derivative())).collect()
+    }
+}
+
+/// The poles of an immersed form are those of its host: it moves with the place it lives in.
+impl<S: Scalar> Poles<S> for Immersed<S> {
+    fn net(&self) -> &Form<S> {
+        &self.host
+    }
+
+    fn with_net(&self, net: Form<S>) -> Result<Self> {
+        Ok(Self { host: self.host.with_net(net)?, inner: self.inner.clone() })
     }
 }
 
