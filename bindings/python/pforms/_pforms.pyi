@@ -429,11 +429,11 @@ def fit(
 @overload
 def transform(form: _Movable, matrix: ArrayLike) -> _Movable: ...
 @overload
-def transform(form: Iterable[_Movable], matrix: ArrayLike) -> list[_Movable]: ...
+def transform(form: Sequence[_Movable], matrix: ArrayLike) -> list[_Movable]: ...
 @overload
 def translate(form: _Movable, by: _Vector) -> _Movable: ...
 @overload
-def translate(form: Iterable[_Movable], by: _Vector) -> list[_Movable]: ...
+def translate(form: Sequence[_Movable], by: _Vector) -> list[_Movable]: ...
 @overload
 def rotate(
     form: _Movable,
@@ -446,7 +446,7 @@ def rotate(
 ) -> _Movable: ...
 @overload
 def rotate(
-    form: Iterable[_Movable],
+    form: Sequence[_Movable],
     angle: _Number | Sequence[_Number] | _Array,
     axis: _Vector | None = None,
     *,
@@ -460,7 +460,7 @@ def scale(
 ) -> _Movable: ...
 @overload
 def scale(
-    form: Iterable[_Movable], factors: _PerAxis | Form, *, centre: _Vector | None = None
+    form: Sequence[_Movable], factors: _PerAxis | Form, *, centre: _Vector | None = None
 ) -> list[_Movable]: ...
 @overload
 def shear(
@@ -468,7 +468,7 @@ def shear(
 ) -> _Movable: ...
 @overload
 def shear(
-    form: Iterable[_Movable], coordinate: int, by: _Vector, *, centre: _Vector | None = None
+    form: Sequence[_Movable], coordinate: int, by: _Vector, *, centre: _Vector | None = None
 ) -> list[_Movable]: ...
 @overload
 def mirror(
@@ -476,7 +476,7 @@ def mirror(
 ) -> _Movable: ...
 @overload
 def mirror(
-    form: Iterable[_Movable], normal: _Vector, *, origin: _Vector | None = None
+    form: Sequence[_Movable], normal: _Vector, *, origin: _Vector | None = None
 ) -> list[_Movable]: ...
 @overload
 def project_to_plane(
@@ -489,7 +489,7 @@ def project_to_plane(
 ) -> _Movable: ...
 @overload
 def project_to_plane(
-    form: Iterable[_Movable],
+    form: Sequence[_Movable],
     normal: _Vector,
     *,
     origin: _Vector | None = None,

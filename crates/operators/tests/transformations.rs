@@ -3,7 +3,7 @@
 
 use pforms_kernel::{Form, Matrix, Rational, Scalar};
 use pforms_operators::{
-    Immersed, Poles, Rotation, Turn, immerse, mirror, project_to_plane, projection, reflection,
+    Immersed, Poles, Rotation, Spline, Turn, immerse, mirror, project_to_plane, projection, reflection,
     rotate, rotation_matrix, scale, scaling, shear, shearing, transform, translate, translation,
 };
 use pforms_testkit::{Random, Weights, exact_forms};
@@ -87,6 +87,21 @@ fn an_immersed_form_moves_with_its_host() {
     assert_eq!(moved.net(), &transform(&host, &map).unwrap());
     let expanded = transform(&immerse(&inner, &host).unwrap(), &map).unwrap();
     assert_eq!(moved.expand().unwrap(), expanded);
+}
+
+#[test]
+fn a_spline_moves_by_its_poles() {
+    let mut random = Random::new(12);
+    let net: Exact = random.form(&[5, 3], 3, Weights::Positive);
+    let knots = [vec![0, 0, 1, 2, 2, 3, 5, 6], vec![0, 0, 0, 1, 1, 1]];
+    let knots = knots.map(|list| list.into_iter().map(|k| Rational::ratio(k, 1)).collect());
+    let spline = Spline::new(net, &[2, 2], knots.to_vec()).unwrap();
+    let map = matrix(&mut random, 4, 4);
+    let moved = transform(&spline, &map).unwrap();
+    assert_eq!(moved.knots(), spline.knots());
+    for (new, old) in moved.pieces().unwrap().iter().zip(&spline.pieces().unwrap()) {
+        assert_eq!(new, &transform(old, &map).unwrap());
+    }
 }
 
 #[test]
