@@ -3,8 +3,9 @@
 
 use pforms_kernel::{Form, Matrix, Rational, Scalar};
 use pforms_operators::{
-    Immersed, Poles, Rotation, Spline, Turn, immerse, mirror, project_to_plane, projection, reflection,
-    rotate, rotation_matrix, scale, scaling, shear, shearing, transform, translate, translation,
+    Immersed, Poles, Rotation, Spline, Turn, immerse, mirror, project_to_plane, projection,
+    reflection, rotate, rotation_matrix, scale, scaling, shear, shearing, transform, translate,
+    translation,
 };
 use pforms_testkit::{Random, Weights, exact_forms};
 

@@ -191,20 +191,16 @@ pub(super) fn centre<S: Arithmetic>(
     if a.is_given(index) { a.vector(index) } else { Ok(vec![S::zero(); net.ambient()]) }
 }
 
+/// What happens to a net of poles.
+type Act<'a, S> = dyn Fn(&Form<S>) -> Result<Form<S>, Failure> + 'a;
+
 /// Acts on the poles of the first argument: those of a form or a spline, of the host of an immersed
 /// form, of each item of a list.
-pub(super) fn on_poles<S: Arithmetic>(
-    a: &Bound<S>,
-    act: &dyn Fn(&Form<S>) -> Result<Form<S>, Failure>,
-) -> Outcome<S> {
+pub(super) fn on_poles<S: Arithmetic>(a: &Bound<S>, act: &Act<'_, S>) -> Outcome<S> {
     moved(a, &a.value(0), act)
 }
 
-fn moved<S: Arithmetic>(
-    a: &Bound<S>,
-    value: &Value<S>,
-    act: &dyn Fn(&Form<S>) -> Result<Form<S>, Failure>,
-) -> Outcome<S> {
+fn moved<S: Arithmetic>(a: &Bound<S>, value: &Value<S>, act: &Act<'_, S>) -> Outcome<S> {
     match value {
         Value::Immersed(lazy) => Ok(Value::Immersed(lazy.with_net(act(lazy.net())?)?)),
         Value::List(items) if !items.is_empty() && !value.is_points() => {
