@@ -27,6 +27,7 @@ CHAPTERS = {
     "index.md": "pforms",
     "start.md": "Start",
     "forms.md": "Forms",
+    "splines.md": "Splines",
     "operators": "Operators",
     "formulas.md": "Formulas",
     "sheet.md": "Sheet",

@@ -4,6 +4,7 @@
 mod bembel;
 mod geomdl;
 mod gismo;
+mod iges;
 mod json;
 mod laws;
 mod measure;

@@ -8,6 +8,7 @@ pub mod compas;
 pub mod geomdl;
 pub mod gismo;
 pub mod ibra;
+pub mod iges;
 pub mod mfem;
 mod mfem_elements;
 mod mfem_mesh;
