@@ -31,6 +31,7 @@ mod settings;
 mod shapes;
 mod sheet;
 mod slices;
+mod spanning;
 mod spline;
 mod tessellating;
 mod transforming;
@@ -63,6 +64,8 @@ mod _pforms {
     use crate::settings::{cap, set_cap, set_threads, threads};
     #[pymodule_export]
     use crate::sheet::PySheet;
+    #[pymodule_export]
+    use crate::spanning::coons;
     #[pymodule_export]
     use crate::spline::PySpline;
     #[pymodule_export]

@@ -3,6 +3,7 @@
 use pforms_operators::Shape;
 use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
+use pyo3::types::{PyList, PyTuple};
 
 use crate::arrays::Numbers;
 use crate::errors::{mistyped, raised};
@@ -25,8 +26,17 @@ pub(crate) fn read(argument: &str, object: &Bound<'_, PyAny>) -> PyResult<Shape>
     }
 }
 
+/// Forms and splines given one by one, or all in a list.
+pub(crate) fn read_several(argument: &str, given: &Bound<'_, PyTuple>) -> PyResult<Vec<Shape>> {
+    let single = given.get_item(0).ok().filter(|_| given.len() == 1);
+    match single.filter(|item| item.is_instance_of::<PyList>() || item.is_instance_of::<PyTuple>())
+    {
+        Some(list) => list.try_iter()?.map(|item| read(argument, &item?)).collect(),
+        None => given.iter().map(|item| read(argument, &item)).collect(),
+    }
+}
+
 /// The Python object of a form or of a spline.
-#[allow(dead_code)]
 pub(crate) fn object(py: Python<'_>, shape: Shape) -> PyResult<Bound<'_, PyAny>> {
     match shape {
         Shape::Form(form) => PyForm::from(form).into_bound_py_any(py),

@@ -44,6 +44,7 @@ CALLS = {
     "bernstein": pf.bernstein,
     "blossom": lambda f, *lists: f.blossom(*(lists if isinstance(lists[0], list) else [lists])),
     "combine": lambda k, *forms: pf.combine(k, forms),
+    "coons": pf.coons,
     "derivative": lambda f, orders: f.derivative(orders),
     "diagonal": lambda f, axes=None: f.diagonal(axes),
     "elevate": lambda f, by: f.elevate(by),

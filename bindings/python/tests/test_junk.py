@@ -40,7 +40,7 @@ JUNK = [
     *FORMS,
 ]  # fmt: skip
 NAMES = [
-    "bernstein", "blossom", "combine", "curvature", "derivative", "diagonal", "elevate",
+    "bernstein", "blossom", "combine", "coons", "curvature", "derivative", "diagonal", "elevate",
     "evaluate", "explain",
     "fit", "frame", "grid", "hodograph", "immerse", "immerse_points", "interpolate", "midpoint",
     "normals",

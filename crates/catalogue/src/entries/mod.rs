@@ -16,6 +16,7 @@ mod mirroring;
 mod numbers;
 mod pieces;
 mod projecting;
+mod spanning;
 mod sweeping;
 mod transforming;
 mod turning;
@@ -39,6 +40,7 @@ pub(crate) fn all() -> Vec<Operator> {
         interpolating::ENTRIES,
         immersing::ENTRIES,
         sweeping::ENTRIES,
+        spanning::ENTRIES,
         projecting::ENTRIES,
         transforming::ENTRIES,
         turning::ENTRIES,

@@ -1,5 +1,6 @@
 //! Make forms from data: through given points, or near them.
 
+mod coons;
 mod fit;
 mod fit_parameters;
 mod immerse_spline;
@@ -11,6 +12,7 @@ mod nodes;
 mod twofold;
 mod vandermonde;
 
+pub use coons::{CoonsOptions, coons, coons_splines};
 pub use fit::{Fit, FitOptions, fit};
 pub use fit_parameters::Parameters;
 pub use immerse_spline::immerse_spline;
