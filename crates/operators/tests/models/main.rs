@@ -5,6 +5,7 @@ mod bembel;
 mod geomdl;
 mod gismo;
 mod iges;
+mod immersed;
 mod json;
 mod laws;
 mod measure;
