@@ -332,6 +332,7 @@ fn bad_knots_are_named() {
     refused(1, &[0., 0., 0., 1., 1.], "repeated more than 2 times");
     refused(1, &[0., f64::NAN, 1., 1.], "as knot 1");
     refused(0, &[1., 1.], "repeated more than 1 times");
+    refused(1, &[0., 1., 1., 2.], "knot 1 less than knot 2");
     refused(1, &[-1.5e308, -1.5e308, 1.5e308, 1.5e308], "differences are finite");
     let net: Form = Form::from_points(&[3], 1, &[0., 1., 2.], None).unwrap();
     let error = Spline::new(net, &[2], vec![vec![0., 0., 1., 1.]]).unwrap_err();

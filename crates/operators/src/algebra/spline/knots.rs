@@ -57,6 +57,14 @@ impl<S: Scalar> Knots<S> {
                 format!("at most {} equal knots for degree {degree}", degree + 1),
             ));
         }
+        let (from, to) = (&list[degree], &list[list.len() - degree - 1]);
+        if from == to {
+            return Err(Error::domain(
+                "knots",
+                format!("the window from {from:?} to {to:?}"),
+                format!("knot {degree} less than knot {}", list.len() - degree - 1),
+            ));
+        }
         Ok(Self { degree, list })
     }
 
@@ -177,7 +185,12 @@ impl<S: Scalar> Knots<S> {
             let start = *within.start();
             let piece = within.find(|&i| new.list[i] < new.list[i + 1]);
             let span = self.span(&new.list[piece.unwrap_or(start)]);
-            Row::new(span - self.degree, row(span, &new.list[j + 1..=j + new.degree]))
+            // From the span outwards, knots before it backwards: then every step of the triangle
+            // lies between its ends, and nothing large cancels.
+            let mut arguments = new.list[j + 1..=j + new.degree].to_vec();
+            let before = arguments.partition_point(|knot| *knot <= self.list[span]);
+            arguments[..before].reverse();
+            Row::new(span - self.degree, row(span, &arguments))
         };
         Ok(Rows::new((0..new.order()).map(mix).collect()))
     }
