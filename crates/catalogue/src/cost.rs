@@ -70,6 +70,18 @@ pub(crate) fn require_sweepable<S: Arithmetic>(
     require::<S>(work * long(longest(matrix.homogeneous()) + longest(section.homogeneous())))
 }
 
+/// Passes if forms may be multiplied with one another, as a common denominator asks for.
+pub(crate) fn require_product<S: Arithmetic>(forms: &[&Form<S>]) -> Result<(), Failure> {
+    let axes = forms.iter().map(|form| form.axes()).max().unwrap_or(0);
+    let degree = |axis: usize| -> usize {
+        forms.iter().filter_map(|form| form.orders().get(axis)).map(|order| order - 1).sum()
+    };
+    let result: f64 = (0..axes).map(|axis| (degree(axis) + 1) as f64).product();
+    let widest = forms.iter().map(|form| form.homogeneous().len()).max().unwrap_or(0) as f64;
+    let bits: f64 = forms.iter().map(|form| longest(form.homogeneous())).sum();
+    require::<S>(result * widest * (forms.len() as f64).powi(2) * long(bits))
+}
+
 /// Passes if `inner` may be immersed in `host`, `copies` times.
 pub(crate) fn require_immersible<S: Arithmetic>(
     inner: &Form<S>,

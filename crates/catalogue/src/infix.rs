@@ -3,10 +3,10 @@
 use std::cmp::Ordering;
 
 use pforms_kernel::Form;
-use pforms_operators::{Spline, combine};
+use pforms_operators::{Poles, Shape, combine, combine_shapes, multiply};
 
 use crate::arithmetic::quotient;
-use crate::cost::expanded;
+use crate::cost::{expanded, require_product};
 use crate::{Arithmetic, Failure, Language, Value};
 
 /// A sign between two values.
@@ -59,7 +59,8 @@ impl Infix {
 ///
 /// Numbers are numbers. Forms and points are combined homogeneously: `(p + q)/2` is a midpoint,
 /// `p + (0, 0, 1; 0)` a translated point, `2*p` the same point with twice the weight; orders that
-/// differ are raised. Lists are combined item by item, or with one value for all. `=` and `<>`
+/// differ are raised, and splines brought to common knots. A form in one dimension is a function and
+/// multiplies another form value by value. Lists are combined item by item, or with one value for all. `=` and `<>`
 /// compare anything, exactly; the other comparisons order numbers and texts. An error on either
 /// side is returned unchanged, the left one first.
 ///
@@ -118,15 +119,15 @@ fn arithmetic<S: Arithmetic>(sign: Infix, left: &Value<S>, right: &Value<S>) -> 
         (Value::Number(a), Value::Number(b)) => of_numbers(sign, a, b).map(Value::Number),
         (Value::Immersed(lazy), other) => compute(sign, &Value::Form(expanded(lazy)?), other),
         (other, Value::Immersed(lazy)) => compute(sign, other, &Value::Form(expanded(lazy)?)),
-        (Value::List(items), Value::Form(form)) if form.axes() > 0 && left.is_points() => {
-            of_forms(sign, &crate::net::form_of_list(items)?, form, left, right)
+        (Value::List(items), other) if left.is_points() && is_extended(other) => {
+            compute(sign, &crate::net::form_of_list(items)?.into(), other)
         }
-        (Value::Form(form), Value::List(items)) if form.axes() > 0 && right.is_points() => {
-            of_forms(sign, form, &crate::net::form_of_list(items)?, left, right)
+        (other, Value::List(items)) if right.is_points() && is_extended(other) => {
+            compute(sign, other, &crate::net::form_of_list(items)?.into())
         }
         (Value::List(a), Value::List(b)) if left.is_points() && right.is_points() => {
             let (a, b) = (crate::net::form_of_list(a)?, crate::net::form_of_list(b)?);
-            of_forms(sign, &a, &b, left, right)
+            of_shapes(sign, &a.into(), &b.into()).ok_or_else(|| no_meaning(sign, left, right))?
         }
         (Value::List(a), Value::List(b)) if a.len() == b.len() => {
             let pairs = a.iter().zip(b);
@@ -139,25 +140,36 @@ fn arithmetic<S: Arithmetic>(sign: Infix, left: &Value<S>, right: &Value<S>) -> 
         (one, Value::List(items)) => {
             Ok(Value::list(items.iter().map(|item| binary(sign, one, item)).collect()))
         }
-        (Value::Form(a), Value::Form(b)) => of_forms(sign, a, b, left, right),
-        (Value::Form(form), Value::Number(k)) | (Value::Number(k), Value::Form(form)) => {
-            let scaled = match (sign, left) {
-                (Infix::Multiply, _) => combine(std::slice::from_ref(k), &[form])?,
-                (Infix::Divide, Value::Form(_)) => divided(form, k)?,
+        (one, Value::Number(k)) | (Value::Number(k), one) => {
+            let shape = shape_of(one).ok_or_else(|| no_meaning(sign, left, right))?;
+            let net = match (sign, right) {
+                (Infix::Multiply, _) => combine(std::slice::from_ref(k), &[shape.net()])?,
+                (Infix::Divide, Value::Number(_)) => divided(shape.net(), k)?,
                 _ => return Err(no_meaning(sign, left, right)),
             };
-            Ok(Value::Form(scaled))
+            Ok(shape.with_net(net)?.into())
         }
-        (Value::Spline(pieces), other) if is_constant(other) => {
-            let net = compute(sign, &Value::Form(pieces.net().clone()), other)?;
-            in_pieces(net, pieces).ok_or_else(|| no_meaning(sign, left, right))
+        (a, b) => {
+            let (Some(a), Some(b)) = (shape_of(a), shape_of(b)) else {
+                return Err(no_meaning(sign, left, right));
+            };
+            of_shapes(sign, &a, &b).ok_or_else(|| no_meaning(sign, left, right))?
         }
-        (other, Value::Spline(pieces)) if is_constant(other) => {
-            let net = compute(sign, other, &Value::Form(pieces.net().clone()))?;
-            in_pieces(net, pieces).ok_or_else(|| no_meaning(sign, left, right))
-        }
-        _ => Err(no_meaning(sign, left, right)),
     }
+}
+
+/// A form or a spline.
+fn shape_of<S: Arithmetic>(value: &Value<S>) -> Option<Shape<S>> {
+    match value {
+        Value::Form(form) => Some(form.clone().into()),
+        Value::Spline(spline) => Some(spline.clone().into()),
+        _ => None,
+    }
+}
+
+/// A form with axes or a spline: what makes a form of a list of points beside it.
+fn is_extended<S: Arithmetic>(value: &Value<S>) -> bool {
+    matches!(value, Value::Spline(_)) || matches!(value, Value::Form(form) if form.axes() > 0)
 }
 
 fn of_numbers<S: Arithmetic>(sign: Infix, a: &S, b: &S) -> Result<S, Failure> {
@@ -170,43 +182,30 @@ fn of_numbers<S: Arithmetic>(sign: Infix, a: &S, b: &S) -> Result<S, Failure> {
     })
 }
 
-fn of_forms<S: Arithmetic>(
-    sign: Infix,
-    a: &Form<S>,
-    b: &Form<S>,
-    left: &Value<S>,
-    right: &Value<S>,
-) -> Outcome<S> {
-    let factor = match sign {
-        Infix::Add => S::one(),
-        Infix::Subtract => -S::one(),
-        _ => return Err(no_meaning(sign, left, right)),
+/// `a + b`, `a − b`, and `a · b` where one is a function; `None` for signs that mean nothing here.
+fn of_shapes<S: Arithmetic>(sign: Infix, a: &Shape<S>, b: &Shape<S>) -> Option<Outcome<S>> {
+    let factor = match (sign, a, b) {
+        (Infix::Add, ..) => S::one(),
+        (Infix::Subtract, ..) => -S::one(),
+        (Infix::Multiply, Shape::Form(f), Shape::Form(g))
+            if f.ambient() == 1 || g.ambient() == 1 =>
+        {
+            return Some(product(f, g));
+        }
+        _ => return None,
     };
-    Ok(Value::Form(combine(&[S::one(), factor], &[a, b])?))
+    let sum = combine_shapes(&[S::one(), factor], &[a.clone(), b.clone()], false);
+    Some(sum.map(Value::from).map_err(Failure::from))
+}
+
+fn product<S: Arithmetic>(f: &Form<S>, g: &Form<S>) -> Outcome<S> {
+    require_product(&[f, g])?;
+    Ok(multiply(f, g)?.into())
 }
 
 fn divided<S: Arithmetic>(form: &Form<S>, k: &S) -> Result<Form<S>, Failure> {
     quotient(&S::one(), k)?;
     Ok(form.map_scalar(|x| x.clone() / k.clone())?)
-}
-
-/// The same at every parameter: a number or a point.
-fn is_constant<S: Arithmetic>(value: &Value<S>) -> bool {
-    match value {
-        Value::Number(_) => true,
-        Value::Form(form) => form.axes() == 0,
-        _ => false,
-    }
-}
-
-/// The pieces with another net of the same orders: what a number or a point does to all of them.
-fn in_pieces<S: Arithmetic>(net: Value<S>, pieces: &Spline<S>) -> Option<Value<S>> {
-    let Value::Form(net) = net else { return None };
-    if net.orders() != pieces.net().orders() {
-        return None;
-    }
-    let again = Spline::on(net, pieces.knots().to_vec());
-    again.ok().map(Value::Spline)
 }
 
 fn no_meaning<S: Arithmetic>(sign: Infix, left: &Value<S>, right: &Value<S>) -> Failure {
@@ -217,8 +216,10 @@ fn no_meaning<S: Arithmetic>(sign: Infix, left: &Value<S>, right: &Value<S>) -> 
     let french = format!("{} : reçu {en}, attendu des valeurs compatibles", sign.symbol());
     let failure = Failure::of(error, french.replace(&en, &fr));
     match (sign, left, right) {
-        (Infix::Multiply, Value::Form(_), Value::Form(_)) => failure
-            .with_hint("a form is multiplied by a number", "une forme se multiplie par un nombre"),
+        (Infix::Multiply, Value::Form(_), Value::Form(_)) => failure.with_hint(
+            "a form is multiplied by a number, or by a form of 1D",
+            "une forme se multiplie par un nombre, ou par une forme à une dimension",
+        ),
         (Infix::Add | Infix::Subtract, ..) => failure.with_hint(
             "a form moves by a direction such as (0, 0, 1; 0)",
             "une forme se déplace d'une direction telle que (0, 0, 1; 0)",

@@ -113,3 +113,24 @@ fn numbers_become_the_simple_fractions_they_stand_for() {
         assert_eq!(x.to_exact().to_f64(), x);
     }
 }
+
+#[test]
+fn splines_are_combined_on_common_knots() {
+    let [a, b] = ["=SUBDIVIDE([(0, 0), (1, 2), (2, 0)], 1)", "=SUBDIVIDE([(0, 0), (2, 2)], 2)"];
+    let sum = binary(Infix::Add, &value(a), &value(b));
+    let Value::Spline(spline) = sum else { panic!("{sum:?}") };
+    assert_eq!((spline.degrees(), spline.counts()), (vec![2], vec![4]));
+    assert_eq!(spline.at(&[0.5]).unwrap(), [1.0, 1.0]);
+    let half = binary(Infix::Divide, &value(a), &Value::Number(2.0));
+    let Value::Spline(half) = half else { panic!("{half:?}") };
+    assert_eq!(half.net().weights(), [0.5; 5]);
+}
+
+#[test]
+fn a_function_multiplies_a_form() {
+    let segment = value("=[(1, 0), (1, 4)]");
+    let product = binary(Infix::Multiply, &value("=[(0,), (1,)]").settle(), &segment);
+    let Value::Form(form) = product else { panic!("{product:?}") };
+    assert_eq!(form.at(&[0.5]).unwrap(), [0.5, 1.0]);
+    assert!(binary(Infix::Multiply, &segment.clone().settle(), &segment.settle()).is_error());
+}
