@@ -10,6 +10,7 @@ mod json;
 mod laws;
 mod measure;
 mod mfem;
+mod peers;
 
 use pforms_operators::Spline;
 use pforms_testkit::models::Patch;
