@@ -7,7 +7,7 @@ from typing import Any, Final, Literal, TypeAlias, TypeVar, final, overload
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pforms.records import Fit, Frame, Mesh, Projection
+from pforms.records import Bicubic, Fit, Frame, Mesh, Projection
 
 _Array: TypeAlias = NDArray[np.float64]
 _Number: TypeAlias = float | Fraction | np.floating[Any] | np.integer[Any]
@@ -16,6 +16,7 @@ _WholePerAxis: TypeAlias = int | Sequence[int] | NDArray[np.integer[Any]]
 _Vector: TypeAlias = Sequence[_Number] | _Array | NDArray[np.integer[Any]] | Form
 _Unit: TypeAlias = Literal["radians", "degrees", "half tangent"]
 _Movable = TypeVar("_Movable", Form, Spline, Immersed)
+_Conic: TypeAlias = Literal["circle", "ellipse", "parabola", "hyperbola", "segment", "point"]
 _ListPerAxis: TypeAlias = Sequence[_Number] | Sequence[Sequence[_Number] | _Array] | _Array
 
 __all__ = [
@@ -29,35 +30,54 @@ __all__ = [
     "_write_forms",
     "affine_matrix",
     "affine_sweep",
+    "arc",
     "bernstein",
+    "bezier_cone",
+    "bezier_cylinder",
+    "bezier_sphere",
+    "bezier_torus",
     "cap",
+    "circle",
+    "classify",
     "combine",
+    "cone",
+    "conic",
     "coons",
+    "cross",
+    "cylinder",
+    "ellipse",
     "explain",
     "fit",
     "forecast",
     "grid",
+    "hyperbola",
     "immerse",
     "immerse_points",
     "interpolate",
     "midpoint",
     "mirror",
+    "parabola",
     "partition",
     "pascal",
     "polyline",
     "project_to_plane",
+    "revolve",
     "rotate",
     "scale",
     "segment",
     "set_cap",
     "set_threads",
     "shear",
+    "sphere",
     "stack",
     "tessellate",
     "threads",
     "tile",
+    "torus",
+    "torus_knot",
     "transform",
     "translate",
+    "viviani",
 ]
 
 __version__: Final[str]
@@ -184,6 +204,16 @@ class Form:
     def __copy__(self) -> Form: ...
     def __deepcopy__(self, _memo: object) -> Form: ...
     def __reduce__(self) -> tuple[Any, ...]: ...
+    def revolve(
+        self,
+        angle: _Number | None = None,
+        *,
+        axis: _PerAxis | Form = ...,
+        through: _PerAxis | Form = ...,
+        order: Literal[3, 4, 5] = 3,
+    ) -> Form | Spline: ...
+    def cross(self, section: Form | Spline | ArrayLike) -> Form | Spline: ...
+    def classify(self, *, accuracy: _Number = 1e-12) -> _Conic: ...
 
 @final
 class Spline:
@@ -239,6 +269,15 @@ class Spline:
     ) -> Spline: ...
     def __eq__(self, other: object, /) -> bool: ...
     def __reduce__(self) -> tuple[Any, ...]: ...
+    def revolve(
+        self,
+        angle: _Number | None = None,
+        *,
+        axis: _PerAxis | Form = ...,
+        through: _PerAxis | Form = ...,
+        order: Literal[3, 4, 5] = 3,
+    ) -> Spline: ...
+    def cross(self, section: Form | Spline | ArrayLike) -> Spline: ...
 
 @final
 class Immersed:
@@ -501,3 +540,72 @@ def project_to_plane(
     direction: _Vector | None = None,
     lamp: _Vector | None = None,
 ) -> list[_Movable]: ...
+def conic(
+    p0: Form | ArrayLike, p1: Form | ArrayLike, p2: Form | ArrayLike, w: _Number = 1.0
+) -> Form: ...
+def classify(curve: Form | ArrayLike, *, accuracy: _Number = 1e-12) -> _Conic: ...
+def arc(
+    radius: _Number, angle: _Number, order: Literal[3, 4, 5] = 3, *, start: _Number = 0.0
+) -> Form | Spline: ...
+@overload
+def circle(radius: _Number, *, part: Literal["whole"] = "whole") -> Form: ...
+@overload
+def circle(radius: _Number, *, part: Literal["pieces"]) -> Spline: ...
+@overload
+def ellipse(a: _Number, b: _Number, *, part: Literal["whole"] = "whole") -> Form: ...
+@overload
+def ellipse(a: _Number, b: _Number, *, part: Literal["pieces"]) -> Spline: ...
+def hyperbola(a: _Number, b: _Number, height: _Number) -> Form: ...
+def parabola(focal: _Number, height: _Number) -> Form: ...
+@overload
+def cylinder(
+    radius: _Number, height: _Number, *, part: Literal["whole", "quarter"] = "whole"
+) -> Form: ...
+@overload
+def cylinder(radius: _Number, height: _Number, *, part: Literal["pieces"]) -> Spline: ...
+@overload
+def cone(
+    radius: _Number,
+    height: _Number,
+    *,
+    top: _Number = 0.0,
+    part: Literal["whole", "quarter"] = "whole",
+) -> Form: ...
+@overload
+def cone(
+    radius: _Number, height: _Number, *, top: _Number = 0.0, part: Literal["pieces"]
+) -> Spline: ...
+@overload
+def sphere(
+    radius: _Number, *, part: Literal["whole", "half", "quarter", "octant"] = "whole"
+) -> Form: ...
+@overload
+def sphere(radius: _Number, *, part: Literal["pieces"]) -> Spline: ...
+@overload
+def torus(
+    major: _Number, minor: _Number, *, part: Literal["whole", "quarter", "outer", "inner"] = "whole"
+) -> Form: ...
+@overload
+def torus(major: _Number, minor: _Number, *, part: Literal["pieces"]) -> Spline: ...
+@overload
+def viviani(radius: _Number, *, part: Literal["octant"] = "octant") -> Form: ...
+@overload
+def viviani(radius: _Number, *, part: Literal["whole"]) -> Spline: ...
+def torus_knot(p: int, q: int, major: _Number, minor: _Number) -> Spline: ...
+def bezier_cylinder(radius: _Number, height: _Number) -> Bicubic: ...
+def bezier_cone(radius: _Number, height: _Number) -> Bicubic: ...
+def bezier_sphere(radius: _Number) -> Bicubic: ...
+def bezier_torus(
+    major: _Number, minor: _Number, *, side: Literal["outer", "inner"] = "outer"
+) -> Bicubic: ...
+def revolve(
+    profile: Form | Spline | ArrayLike,
+    angle: _Number | None = None,
+    *,
+    axis: _PerAxis | Form = ...,
+    through: _PerAxis | Form = ...,
+    order: Literal[3, 4, 5] = 3,
+) -> Form | Spline: ...
+def cross(
+    profile: Form | Spline | ArrayLike, section: Form | Spline | ArrayLike
+) -> Form | Spline: ...

@@ -13,6 +13,24 @@ if TYPE_CHECKING:
     from pforms._pforms import Form
 
 
+class Bicubic(NamedTuple):
+    """A polynomial patch and how far it is from the surface it stands for.
+
+    >>> import pforms as pf
+    >>> patch = pf.bezier_sphere(2)
+    >>> patch.form, round(patch.error, 6)
+    (<pforms.Form pS44 in 3D>, 0.001033)
+    """
+
+    form: Form
+    error: float
+    """The largest distance to the surface."""
+    outside: float
+    """How far it goes outside."""
+    inside: float
+    """How far it goes inside."""
+
+
 class Fit(NamedTuple):
     """A fitted form and how near it comes.
 

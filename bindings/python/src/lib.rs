@@ -24,7 +24,9 @@ mod operators;
 mod outputs;
 mod parameters;
 mod points;
+mod products;
 mod projecting;
+mod rational;
 mod rows;
 mod sampling;
 mod settings;
@@ -60,6 +62,13 @@ mod _pforms {
     use crate::inside::{immerse_points, polyline, segment, tile};
     #[pymodule_export]
     use crate::making::{fit, interpolate};
+    #[pymodule_export]
+    use crate::products::{cross, revolve};
+    #[pymodule_export]
+    use crate::rational::{
+        arc, bezier_cone, bezier_cylinder, bezier_sphere, bezier_torus, circle, classify, cone,
+        conic, cylinder, ellipse, hyperbola, parabola, sphere, torus, torus_knot, viviani,
+    };
     #[pymodule_export]
     use crate::settings::{cap, set_cap, set_threads, threads};
     #[pymodule_export]

@@ -37,6 +37,21 @@ def projected(f, net, part=None, **more):
     return record[part] if part else record
 
 
+def net_of(shape):
+    """The poles of a spline, or the form itself."""
+    return shape.net if isinstance(shape, pf.Spline) else shape
+
+
+def nets_of(function):
+    """The same function, with the poles of a spline for an answer."""
+    return lambda *given, **more: net_of(function(*given, **more))
+
+
+def patch_of(function):
+    """The part of a record that a formula asks for."""
+    return lambda *given, part="form", **more: getattr(function(*given, **more), part)
+
+
 # How the arguments of a golden case are handed over: `f` a form, then what the operator takes.
 CALLS = {
     "affine_matrix": pf.affine_matrix,
@@ -95,6 +110,25 @@ CALLS = {
     "tile": lambda cell, cage, counts: pf.tile([cell], cage, counts),
     "transpose": lambda f, axes: f.transpose(axes),
     "whole_line": lambda f, axis=0: f.whole_line(axis),
+    "arc": nets_of(pf.arc),
+    "bezier_cone": patch_of(pf.bezier_cone),
+    "bezier_cylinder": patch_of(pf.bezier_cylinder),
+    "bezier_sphere": patch_of(pf.bezier_sphere),
+    "bezier_torus": patch_of(pf.bezier_torus),
+    "circle": nets_of(pf.circle),
+    "classify": lambda f, *accuracy: f.classify(**dict(zip(["accuracy"], accuracy, strict=False))),
+    "cone": lambda r, h, top=0, **more: net_of(pf.cone(r, h, top=top, **more)),
+    "conic": pf.conic,
+    "cross": nets_of(pf.cross),
+    "cylinder": nets_of(pf.cylinder),
+    "ellipse": nets_of(pf.ellipse),
+    "hyperbola": pf.hyperbola,
+    "parabola": pf.parabola,
+    "revolve": nets_of(pf.revolve),
+    "sphere": nets_of(pf.sphere),
+    "torus": nets_of(pf.torus),
+    "torus_knot": nets_of(pf.torus_knot),
+    "viviani": nets_of(pf.viviani),
 }
 
 

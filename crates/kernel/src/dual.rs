@@ -114,6 +114,10 @@ impl<S: Scalar> Scalar for Dual<S> {
         self.value.to_f64()
     }
 
+    fn half_root() -> Option<Self> {
+        S::half_root().map(Self::constant)
+    }
+
     fn is_finite(&self) -> bool {
         self.value.is_finite() && self.slope.is_finite()
     }

@@ -50,6 +50,12 @@ pub trait Scalar:
     /// The nearest `f64`.
     fn to_f64(&self) -> f64;
 
+    /// The root of one half, cosine and sine of half a right angle, if the field has it: with it a
+    /// quarter circle has three poles.
+    fn half_root() -> Option<Self> {
+        None
+    }
+
     /// Is this exactly 0?
     fn is_zero(&self) -> bool {
         *self == Self::zero()
@@ -126,6 +132,10 @@ impl Scalar for f64 {
 
     fn to_f64(&self) -> f64 {
         *self
+    }
+
+    fn half_root() -> Option<Self> {
+        Some(std::f64::consts::FRAC_1_SQRT_2)
     }
 
     fn is_finite(&self) -> bool {

@@ -11,8 +11,10 @@ pub mod memory;
 pub mod models;
 mod random;
 mod reference;
+mod root2;
 mod shapes;
 
 pub use random::{ROUNDS, Random, Weights, exact_forms, relative_error};
 pub use reference::{Case, cases, net, numbers};
+pub use root2::Root2;
 pub use shapes::{octant, whole_sphere};

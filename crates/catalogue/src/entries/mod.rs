@@ -4,6 +4,7 @@
 #![allow(clippy::unnecessary_wraps)]
 
 mod conditions;
+mod conics;
 mod evaluating;
 mod explaining;
 mod forms;
@@ -15,7 +16,9 @@ mod lists;
 mod mirroring;
 mod numbers;
 mod pieces;
+mod products;
 mod projecting;
+mod quadrics;
 mod spanning;
 mod sweeping;
 mod transforming;
@@ -41,6 +44,9 @@ pub(crate) fn all() -> Vec<Operator> {
         immersing::ENTRIES,
         sweeping::ENTRIES,
         spanning::ENTRIES,
+        conics::ENTRIES,
+        quadrics::ENTRIES,
+        products::ENTRIES,
         projecting::ENTRIES,
         transforming::ENTRIES,
         turning::ENTRIES,

@@ -20,6 +20,7 @@ mod nested;
 mod partition;
 mod pointwise;
 mod project_to_plane;
+mod rational;
 mod reduce;
 mod regular;
 mod relabel;
@@ -54,6 +55,11 @@ pub use mirror::{mirror, reflection};
 pub use partition::partition;
 pub use pointwise::{combine_pointwise, multiply};
 pub use project_to_plane::{project_to_plane, projection};
+pub use rational::{
+    Axis, Part, arc_by_step, circle, cone, conic, cross, cylinder, ellipse, hyperbola_by, parabola,
+    revolve_along, revolve_whole, sphere, torus, viviani,
+};
+pub(crate) use rational::{arc_through, quarter_cubic, require_positive, shifted};
 pub use reduce::{Reduction, reduce};
 pub use regular::regular;
 pub use relabel::{reverse, sub, transpose};

@@ -8,6 +8,7 @@ mod interpolate;
 mod known_nodes;
 mod least_squares;
 mod nodes;
+mod rational;
 
 mod twofold;
 mod vandermonde;
@@ -18,3 +19,7 @@ pub use fit_parameters::Parameters;
 pub use immerse_spline::immerse_spline;
 pub use interpolate::{interpolate, interpolate_homogeneous};
 pub use nodes::Nodes;
+pub use rational::{
+    Bicubic, arc, bezier_cone, bezier_cylinder, bezier_sphere, bezier_torus, hyperbola, revolve,
+    torus_knot,
+};

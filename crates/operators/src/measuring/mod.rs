@@ -1,5 +1,6 @@
 //! Questions about a form, answered with a stated accuracy.
 
+mod classify;
 mod curvature;
 mod curve_frame;
 mod guarded;
@@ -14,6 +15,7 @@ mod tangent_form;
 mod vector;
 mod volume_frame;
 
+pub use classify::{Conic, classify};
 pub use curvature::{Curvature, curvature};
 pub use curve_frame::{CurveFrame, FrameKind, curve_frame, curve_frames};
 pub use normal_form::{binormal_form, normal_form};
