@@ -8,7 +8,11 @@ mod interpolate;
 mod known_nodes;
 mod least_squares;
 mod nodes;
+mod offset_poles;
+mod parallel;
 mod rational;
+mod tangent_developable;
+mod unroll;
 
 mod twofold;
 mod vandermonde;
@@ -19,7 +23,11 @@ pub use fit_parameters::Parameters;
 pub use immerse_spline::immerse_spline;
 pub use interpolate::{interpolate, interpolate_homogeneous};
 pub use nodes::Nodes;
+pub use offset_poles::offset_poles;
+pub use parallel::{Distance, Parallel, ParallelOptions, Side, parallel, shell};
 pub use rational::{
     Bicubic, arc, bezier_cone, bezier_cylinder, bezier_sphere, bezier_torus, hyperbola, revolve,
     torus_knot,
 };
+pub use tangent_developable::{tangent_developable, tangent_developable_of_spline};
+pub use unroll::{Distortion, Unrolling, unroll};

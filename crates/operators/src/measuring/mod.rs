@@ -1,9 +1,12 @@
 //! Questions about a form, answered with a stated accuracy.
 
+pub(crate) mod about_one;
+pub(crate) mod bending;
 mod classify;
 mod curvature;
 mod curve_frame;
-mod guarded;
+mod developable;
+pub(crate) mod guarded;
 mod local;
 mod normal_form;
 mod normals;
@@ -12,12 +15,13 @@ pub(crate) mod roots;
 mod rotation_minimising;
 mod surface_frame;
 mod tangent_form;
-mod vector;
+pub(crate) mod vector;
 mod volume_frame;
 
 pub use classify::{Conic, classify};
 pub use curvature::{Curvature, curvature};
 pub use curve_frame::{CurveFrame, FrameKind, curve_frame, curve_frames};
+pub use developable::{Developability, gauss_form, is_developable};
 pub use normal_form::{binormal_form, normal_form};
 pub use normals::{normal_grid_into, normals_into};
 pub use project::{Projection, Projector, project};
