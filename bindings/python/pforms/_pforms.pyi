@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from pforms.records import Bicubic, Fit, Frame, Mesh, Projection
+from pforms.records import Developability, Fit, Frame, Mesh, Parallel, Projection, Unrolling
 
 _Array: TypeAlias = NDArray[np.float64]
 _Number: TypeAlias = float | Fraction | np.floating[Any] | np.integer[Any]
@@ -148,6 +149,58 @@ class Form:
     @overload
     def curvature(self, u: ArrayLike, v: ArrayLike, /) -> Frame: ...
     def project(self, points: ArrayLike, *, accuracy: float = 1e-12) -> Projection: ...
+    @overload
+    def parallel(
+        self,
+        distance: _Number | Form,
+        *,
+        tolerance: _Number = 1e-06,
+        side: ArrayLike | Literal["principal"] | None = None,
+        folds: bool = False,
+        report: Literal[False] = False,
+    ) -> Spline: ...
+    @overload
+    def parallel(
+        self,
+        distance: _Number | Form,
+        *,
+        tolerance: _Number = 1e-06,
+        side: ArrayLike | Literal["principal"] | None = None,
+        folds: bool = False,
+        report: Literal[True],
+    ) -> Parallel: ...
+    @overload
+    def shell(
+        self,
+        distance: _Number | Form,
+        *,
+        tolerance: _Number = 1e-06,
+        side: ArrayLike | Literal["principal"] | None = None,
+        folds: bool = False,
+        report: Literal[False] = False,
+    ) -> Spline: ...
+    @overload
+    def shell(
+        self,
+        distance: _Number | Form,
+        *,
+        tolerance: _Number = 1e-06,
+        side: ArrayLike | Literal["principal"] | None = None,
+        folds: bool = False,
+        report: Literal[True],
+    ) -> Parallel: ...
+    def offset_poles(
+        self, distance: _Number | Form, *, side: ArrayLike | Literal["principal"] | None = None
+    ) -> Form: ...
+    def tangent_developable(self, length: _Number = 1.0) -> Form: ...
+    @overload
+    def is_developable(self, *, report: Literal[False] = False) -> bool: ...
+    @overload
+    def is_developable(self, *, report: Literal[True]) -> Developability: ...
+    @overload
+    def unroll(self, *, accuracy: _Number = 1e-12, report: Literal[False] = False) -> Spline: ...
+    @overload
+    def unroll(self, *, accuracy: _Number = 1e-12, report: Literal[True]) -> Unrolling: ...
     def diagonal(self, axes: Sequence[int] | Literal["all"] | None = None) -> Form: ...
     def sub(self, axis: int, t: _Number) -> Form: ...
     def split(self, axis: int, t: _Number) -> tuple[Form, Form]: ...
@@ -278,6 +331,58 @@ class Spline:
         order: Literal[3, 4, 5] = 3,
     ) -> Spline: ...
     def cross(self, section: Form | Spline | ArrayLike) -> Spline: ...
+    @overload
+    def parallel(
+        self,
+        distance: _Number | Form,
+        *,
+        tolerance: _Number = 1e-06,
+        side: ArrayLike | Literal["principal"] | None = None,
+        folds: bool = False,
+        report: Literal[False] = False,
+    ) -> Spline: ...
+    @overload
+    def parallel(
+        self,
+        distance: _Number | Form,
+        *,
+        tolerance: _Number = 1e-06,
+        side: ArrayLike | Literal["principal"] | None = None,
+        folds: bool = False,
+        report: Literal[True],
+    ) -> Parallel: ...
+    @overload
+    def shell(
+        self,
+        distance: _Number | Form,
+        *,
+        tolerance: _Number = 1e-06,
+        side: ArrayLike | Literal["principal"] | None = None,
+        folds: bool = False,
+        report: Literal[False] = False,
+    ) -> Spline: ...
+    @overload
+    def shell(
+        self,
+        distance: _Number | Form,
+        *,
+        tolerance: _Number = 1e-06,
+        side: ArrayLike | Literal["principal"] | None = None,
+        folds: bool = False,
+        report: Literal[True],
+    ) -> Parallel: ...
+    def offset_poles(
+        self, distance: _Number | Form, *, side: ArrayLike | Literal["principal"] | None = None
+    ) -> Spline: ...
+    def tangent_developable(self, length: _Number = 1.0) -> Spline: ...
+    @overload
+    def is_developable(self, *, report: Literal[False] = False) -> bool: ...
+    @overload
+    def is_developable(self, *, report: Literal[True]) -> Developability: ...
+    @overload
+    def unroll(self, *, accuracy: _Number = 1e-12, report: Literal[False] = False) -> Spline: ...
+    @overload
+    def unroll(self, *, accuracy: _Number = 1e-12, report: Literal[True]) -> Unrolling: ...
 
 @final
 class Immersed:
@@ -609,3 +714,73 @@ def revolve(
 def cross(
     profile: Form | Spline | ArrayLike, section: Form | Spline | ArrayLike
 ) -> Form | Spline: ...
+@overload
+def parallel(
+    form: Form | Spline | ArrayLike,
+    distance: _Number | Form,
+    *,
+    tolerance: _Number = 1e-06,
+    side: ArrayLike | Literal["principal"] | None = None,
+    folds: bool = False,
+    report: Literal[False] = False,
+) -> Spline: ...
+@overload
+def parallel(
+    form: Form | Spline | ArrayLike,
+    distance: _Number | Form,
+    *,
+    tolerance: _Number = 1e-06,
+    side: ArrayLike | Literal["principal"] | None = None,
+    folds: bool = False,
+    report: Literal[True],
+) -> Parallel: ...
+@overload
+def shell(
+    form: Form | Spline | ArrayLike,
+    distance: _Number | Form,
+    *,
+    tolerance: _Number = 1e-06,
+    side: ArrayLike | Literal["principal"] | None = None,
+    folds: bool = False,
+    report: Literal[False] = False,
+) -> Spline: ...
+@overload
+def shell(
+    form: Form | Spline | ArrayLike,
+    distance: _Number | Form,
+    *,
+    tolerance: _Number = 1e-06,
+    side: ArrayLike | Literal["principal"] | None = None,
+    folds: bool = False,
+    report: Literal[True],
+) -> Parallel: ...
+@overload
+def offset_poles(
+    form: Spline,
+    distance: _Number | Form,
+    *,
+    side: ArrayLike | Literal["principal"] | None = None,
+) -> Spline: ...
+@overload
+def offset_poles(
+    form: Form | ArrayLike,
+    distance: _Number | Form,
+    *,
+    side: ArrayLike | Literal["principal"] | None = None,
+) -> Form: ...
+@overload
+def tangent_developable(curve: Spline, length: _Number = 1.0) -> Spline: ...
+@overload
+def tangent_developable(curve: Form | ArrayLike, length: _Number = 1.0) -> Form: ...
+@overload
+def is_developable(form: Form | Spline | ArrayLike, *, report: Literal[False] = False) -> bool: ...
+@overload
+def is_developable(form: Form | Spline | ArrayLike, *, report: Literal[True]) -> Developability: ...
+@overload
+def unroll(
+    form: Form | Spline | ArrayLike, *, accuracy: _Number = 1e-12, report: Literal[False] = False
+) -> Spline: ...
+@overload
+def unroll(
+    form: Form | Spline | ArrayLike, *, accuracy: _Number = 1e-12, report: Literal[True]
+) -> Unrolling: ...

@@ -10,7 +10,26 @@ if TYPE_CHECKING:
     from numpy import bool_, float64, int32
     from numpy.typing import NDArray
 
-    from pforms._pforms import Form
+    from pforms._pforms import Form, Spline
+
+
+class Developability(NamedTuple):
+    """What is known about a surface that may be developable.
+
+    >>> import pforms as pf
+    >>> facet = pf.Form([[(0, 0, 0), (0, 1, 0)], [(1, 0, 0), (1, 1, 0)]])
+    >>> pf.is_developable(facet, report=True)
+    Developability(developable=True, exact=True, gauss=0.0, parameters=())
+    """
+
+    developable: bool
+    """Does the Gauss curvature vanish everywhere, as far as rounding lets anyone tell?"""
+    exact: bool
+    """Does it vanish identically, in exact arithmetic on the very poles given?"""
+    gauss: float
+    """A Gauss curvature that is not 0, if it is not developable; else 0."""
+    parameters: tuple[float, ...]
+    """Where it is that."""
 
 
 class Bicubic(NamedTuple):
@@ -67,6 +86,22 @@ class Mesh(NamedTuple):
     """The unit normal at each vertex, shape (n, 3)."""
     triangles: NDArray[int32]
     """Three vertices for each triangle, shape (m, 3)."""
+
+
+class Parallel(NamedTuple):
+    """A parallel form, or a shell, and how near it is to the true one.
+
+    >>> import pforms as pf
+    >>> found = pf.parallel(pf.Form([(0, 0), (1, 1), (2, 0)]), 0.1, report=True)
+    >>> found.error <= 1e-6, found.gap
+    (True, 0.0)
+    """
+
+    spline: Spline
+    error: float
+    """No point of the window is farther than this from its true place."""
+    gap: float
+    """Largest distance between pieces that met before: 0 unless there was a corner."""
 
 
 class Polyline(NamedTuple):
@@ -159,3 +194,21 @@ class Projection(NamedTuple):
     """By how much any other point of the form may be nearer, at most: proved."""
     unique: NDArray[bool_]
     """Is it proved that only these parameters give the nearest point?"""
+
+
+class Unrolling(NamedTuple):
+    """A surface laid out flat, and the largest changes that made.
+
+    >>> import pforms as pf
+    >>> facet = pf.Form([[(0, 0, 0), (0, 1, 0)], [(1, 0, 0), (1, 1, 1)]])
+    >>> pf.unroll(facet, report=True).length > 0.01  # a saddle does not lie flat
+    True
+    """
+
+    spline: Spline
+    length: float
+    """Of a length: how much its ratio differs from 1, over all directions."""
+    angle: float
+    """Of an angle between two directions, in radians."""
+    area: float
+    """Of an area: how much its ratio differs from 1."""

@@ -20,6 +20,7 @@ mod immersed;
 mod inside;
 mod making;
 mod measuring;
+mod offsetting;
 mod operators;
 mod outputs;
 mod parameters;
@@ -68,6 +69,8 @@ mod _pforms {
     use crate::rational::{
         arc, bezier_cone, bezier_cylinder, bezier_sphere, bezier_torus, circle, classify, cone,
         conic, cylinder, ellipse, hyperbola, parabola, sphere, torus, torus_knot, viviani,
+    use crate::offsetting::{
+        is_developable, offset_poles, parallel, shell, tangent_developable, unroll,
     };
     #[pymodule_export]
     use crate::settings::{cap, set_cap, set_threads, threads};

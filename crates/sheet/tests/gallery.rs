@@ -4,7 +4,7 @@
 mod common;
 
 use common::{at, drawn, gallery, text};
-use pforms_catalogue::{Arithmetic, Language, Value};
+use pforms_catalogue::{Arithmetic, Language, Value, catalogue};
 use pforms_kernel::{Form, Rational, Scalar};
 use pforms_sheet::Sheet;
 
@@ -22,9 +22,14 @@ fn errors<S: Arithmetic>(sheet: &Sheet<S>) -> Vec<String> {
 /// Does the sheet call something that leaves the fractions?
 fn leaves_fractions(source: &str) -> bool {
     let source = source.to_uppercase();
-    ["SQRT(", "RACINE(", "COS(", "SIN(", "TAN(", "PI", "FRAME(", "REPERE("]
+    let rounding = catalogue()
         .iter()
-        .any(|call| source.contains(call))
+        .filter(|entry| serde_json::to_value(entry).is_ok_and(|entry| entry["exact"] == false));
+    let mut names = rounding.flat_map(|entry| entry.english.iter().chain(entry.french));
+    names.any(|name| source.contains(&format!("{name}(")))
+        || ["SQRT(", "RACINE(", "COS(", "SIN(", "TAN(", "PI"]
+            .iter()
+            .any(|call| source.contains(call))
 }
 
 #[test]

@@ -15,6 +15,7 @@ mod interpolating;
 mod lists;
 mod mirroring;
 mod numbers;
+mod offsetting;
 mod pieces;
 mod products;
 mod projecting;
@@ -47,6 +48,7 @@ pub(crate) fn all() -> Vec<Operator> {
         conics::ENTRIES,
         quadrics::ENTRIES,
         products::ENTRIES,
+        offsetting::ENTRIES,
         projecting::ENTRIES,
         transforming::ENTRIES,
         turning::ENTRIES,
