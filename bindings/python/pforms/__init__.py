@@ -47,8 +47,8 @@ from pforms._pforms import (
     is_developable,
     midpoint,
     mirror,
-    parabola,
     offset_poles,
+    parabola,
     parallel,
     partition,
     pascal,
@@ -61,8 +61,8 @@ from pforms._pforms import (
     set_cap,
     set_threads,
     shear,
-    sphere,
     shell,
+    sphere,
     stack,
     tangent_developable,
     tessellate,
@@ -72,8 +72,8 @@ from pforms._pforms import (
     torus_knot,
     transform,
     translate,
-    viviani,
     unroll,
+    viviani,
 )
 from pforms.errors import (
     AccuracyError,
@@ -86,8 +86,8 @@ from pforms.errors import (
     ShapeError,
 )
 from pforms.files import draw, load, save
-from pforms.records import Bicubic, Fit, Frame, Mesh, Polyline, Projection
 from pforms.records import (
+    Bicubic,
     Developability,
     Fit,
     Frame,
@@ -188,8 +188,8 @@ __all__ = [
     "mirror",
     "normal_form",
     "normals",
-    "parabola",
     "offset_poles",
+    "parabola",
     "parallel",
     "partition",
     "pascal",
@@ -207,8 +207,8 @@ __all__ = [
     "set_cap",
     "set_threads",
     "shear",
-    "sphere",
     "shell",
+    "sphere",
     "split",
     "stack",
     "stretch",

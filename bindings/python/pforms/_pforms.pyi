@@ -7,8 +7,16 @@ from typing import Any, Final, Literal, TypeAlias, TypeVar, final, overload
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pforms.records import Bicubic, Fit, Frame, Mesh, Projection
-from pforms.records import Developability, Fit, Frame, Mesh, Parallel, Projection, Unrolling
+from pforms.records import (
+    Bicubic,
+    Developability,
+    Fit,
+    Frame,
+    Mesh,
+    Parallel,
+    Projection,
+    Unrolling,
+)
 
 _Array: TypeAlias = NDArray[np.float64]
 _Number: TypeAlias = float | Fraction | np.floating[Any] | np.integer[Any]

@@ -64,13 +64,15 @@ mod _pforms {
     #[pymodule_export]
     use crate::making::{fit, interpolate};
     #[pymodule_export]
+    use crate::offsetting::{
+        is_developable, offset_poles, parallel, shell, tangent_developable, unroll,
+    };
+    #[pymodule_export]
     use crate::products::{cross, revolve};
     #[pymodule_export]
     use crate::rational::{
         arc, bezier_cone, bezier_cylinder, bezier_sphere, bezier_torus, circle, classify, cone,
         conic, cylinder, ellipse, hyperbola, parabola, sphere, torus, torus_knot, viviani,
-    use crate::offsetting::{
-        is_developable, offset_poles, parallel, shell, tangent_developable, unroll,
     };
     #[pymodule_export]
     use crate::settings::{cap, set_cap, set_threads, threads};

@@ -50,6 +50,8 @@ def nets_of(function):
 def patch_of(function):
     """The part of a record that a formula asks for."""
     return lambda *given, part="form", **more: getattr(function(*given, **more), part)
+
+
 def offset(operator):
     """A parallel or a shell: the number of a report, or its net; a side is a point."""
 
