@@ -23,12 +23,11 @@ fn errors<S: Arithmetic>(sheet: &Sheet<S>) -> Vec<String> {
 fn leaves_fractions(source: &str) -> bool {
     let source = source.to_uppercase();
     let rounding = catalogue()
-    ["SQRT(", "RACINE(", "COS(", "SIN(", "TAN(", "PI", "FRAME(", "REPERE(", "RADIANS(", "KNOT("]
         .iter()
         .filter(|entry| serde_json::to_value(entry).is_ok_and(|entry| entry["exact"] == false));
     let mut names = rounding.flat_map(|entry| entry.english.iter().chain(entry.french));
     names.any(|name| source.contains(&format!("{name}(")))
-        || ["SQRT(", "RACINE(", "COS(", "SIN(", "TAN(", "PI"]
+        || ["SQRT(", "RACINE(", "COS(", "SIN(", "TAN(", "RADIANS(", "PI"]
             .iter()
             .any(|call| source.contains(call))
 }
