@@ -9,12 +9,17 @@ from numpy.typing import ArrayLike, NDArray
 
 from pforms.records import (
     Bicubic,
+    Continuity,
     Developability,
     Fit,
     Frame,
+    Joined,
+    Length,
     Mesh,
     Parallel,
     Projection,
+    Simplified,
+    UnitSpeed,
     Unrolling,
 )
 
@@ -27,6 +32,10 @@ _Unit: TypeAlias = Literal["radians", "degrees", "half tangent"]
 _Movable = TypeVar("_Movable", Form, Spline, Immersed)
 _Conic: TypeAlias = Literal["circle", "ellipse", "parabola", "hyperbola", "segment", "point"]
 _ListPerAxis: TypeAlias = Sequence[_Number] | Sequence[Sequence[_Number] | _Array] | _Array
+_Ends: TypeAlias = Sequence[int] | Sequence[Sequence[int]] | NDArray[np.integer[Any]]
+_EndRule: TypeAlias = Literal["natural", "clamped", "not-a-knot", "periodic"]
+_Shape: TypeAlias = Form | Spline | ArrayLike
+_KnotRule: TypeAlias = Literal["uniform", "clamped"] | Sequence[_Number] | _Array
 
 __all__ = [
     "Form",
@@ -40,17 +49,22 @@ __all__ = [
     "affine_matrix",
     "affine_sweep",
     "arc",
+    "arc_length",
     "bernstein",
     "bezier_cone",
     "bezier_cylinder",
     "bezier_sphere",
     "bezier_torus",
+    "bspline",
+    "by_arc_length",
     "cap",
     "circle",
     "classify",
     "combine",
+    "concatenate",
     "cone",
     "conic",
+    "continuity",
     "coons",
     "cross",
     "cylinder",
@@ -62,14 +76,20 @@ __all__ = [
     "hyperbola",
     "immerse",
     "immerse_points",
+    "insert_knots",
     "interpolate",
+    "interpolating_spline",
+    "join_forms",
     "midpoint",
     "mirror",
+    "nurbs",
     "parabola",
+    "parameter_at_length",
     "partition",
     "pascal",
     "polyline",
     "project_to_plane",
+    "remove_knots",
     "revolve",
     "rotate",
     "scale",
@@ -260,6 +280,73 @@ class Form:
     def __rtruediv__(self, other: Form, /) -> Form: ...
     def __neg__(self) -> Form: ...
     def __pos__(self) -> Form: ...
+    def insert_knots(self, knots: _PerAxis, *, axis: int = 0) -> Spline: ...
+    @overload
+    def remove_knots(
+        self,
+        knots: _PerAxis | None = None,
+        *,
+        axis: int = 0,
+        accuracy: float = 1e-12,
+        report: Literal[False] = False,
+    ) -> Spline: ...
+    @overload
+    def remove_knots(
+        self,
+        knots: _PerAxis | None = None,
+        *,
+        axis: int = 0,
+        accuracy: float = 1e-12,
+        report: Literal[True],
+    ) -> Simplified: ...
+    @overload
+    def continuity(
+        self,
+        g: None = None,
+        *,
+        at: _Ends | None = None,
+        order: int = 2,
+        accuracy: float = 1e-9,
+        axis: int = 0,
+    ) -> list[tuple[float, Continuity]]: ...
+    @overload
+    def continuity(
+        self,
+        g: _Shape,
+        *,
+        at: _Ends | None = None,
+        order: int = 2,
+        accuracy: float = 1e-9,
+        axis: int = 0,
+    ) -> Continuity: ...
+    @overload
+    def arc_length(
+        self,
+        a: _Number | None = None,
+        b: _Number | None = None,
+        *,
+        accuracy: float = 1e-12,
+        report: Literal[False] = False,
+    ) -> float: ...
+    @overload
+    def arc_length(
+        self,
+        a: _Number | None = None,
+        b: _Number | None = None,
+        *,
+        accuracy: float = 1e-12,
+        report: Literal[True],
+    ) -> Length: ...
+    @overload
+    def parameter_at_length(self, length: _Number, *, accuracy: float = 1e-12) -> float: ...
+    @overload
+    def parameter_at_length(self, length: ArrayLike, *, accuracy: float = 1e-12) -> _Array: ...
+    @overload
+    def by_arc_length(
+        self, *, accuracy: float = 1e-9, report: Literal[False] = False
+    ) -> Spline: ...
+    @overload
+    def by_arc_length(self, *, accuracy: float = 1e-9, report: Literal[True]) -> UnitSpeed: ...
     def __eq__(self, other: object, /) -> bool: ...
     def __hash__(self) -> int: ...
     def __copy__(self) -> Form: ...
@@ -328,6 +415,73 @@ class Spline:
         direction: _Vector | None = None,
         lamp: _Vector | None = None,
     ) -> Spline: ...
+    def insert_knots(self, knots: _PerAxis, *, axis: int = 0) -> Spline: ...
+    @overload
+    def remove_knots(
+        self,
+        knots: _PerAxis | None = None,
+        *,
+        axis: int = 0,
+        accuracy: float = 1e-12,
+        report: Literal[False] = False,
+    ) -> Spline: ...
+    @overload
+    def remove_knots(
+        self,
+        knots: _PerAxis | None = None,
+        *,
+        axis: int = 0,
+        accuracy: float = 1e-12,
+        report: Literal[True],
+    ) -> Simplified: ...
+    @overload
+    def continuity(
+        self,
+        g: None = None,
+        *,
+        at: _Ends | None = None,
+        order: int = 2,
+        accuracy: float = 1e-9,
+        axis: int = 0,
+    ) -> list[tuple[float, Continuity]]: ...
+    @overload
+    def continuity(
+        self,
+        g: _Shape,
+        *,
+        at: _Ends | None = None,
+        order: int = 2,
+        accuracy: float = 1e-9,
+        axis: int = 0,
+    ) -> Continuity: ...
+    @overload
+    def arc_length(
+        self,
+        a: _Number | None = None,
+        b: _Number | None = None,
+        *,
+        accuracy: float = 1e-12,
+        report: Literal[False] = False,
+    ) -> float: ...
+    @overload
+    def arc_length(
+        self,
+        a: _Number | None = None,
+        b: _Number | None = None,
+        *,
+        accuracy: float = 1e-12,
+        report: Literal[True],
+    ) -> Length: ...
+    @overload
+    def parameter_at_length(self, length: _Number, *, accuracy: float = 1e-12) -> float: ...
+    @overload
+    def parameter_at_length(self, length: ArrayLike, *, accuracy: float = 1e-12) -> _Array: ...
+    @overload
+    def by_arc_length(
+        self, *, accuracy: float = 1e-9, report: Literal[False] = False
+    ) -> Spline: ...
+    @overload
+    def by_arc_length(self, *, accuracy: float = 1e-9, report: Literal[True]) -> UnitSpeed: ...
     def __eq__(self, other: object, /) -> bool: ...
     def __reduce__(self) -> tuple[Any, ...]: ...
     def revolve(
@@ -792,3 +946,100 @@ def unroll(
 def unroll(
     form: Form | Spline | ArrayLike, *, accuracy: _Number = 1e-12, report: Literal[True]
 ) -> Unrolling: ...
+def bspline(
+    points: _Shape,
+    degree: _WholePerAxis = 3,
+    knots: _KnotRule | Sequence[_KnotRule] = "uniform",
+    *,
+    closed: bool | Sequence[bool] = False,
+) -> Spline: ...
+def nurbs(poles: Form | ArrayLike, weights: ArrayLike | None, knots: _ListPerAxis) -> Spline: ...
+def concatenate(
+    forms: Iterable[Form], *, axis: int = 0, breaks: Sequence[_Number] | _Array | None = None
+) -> Spline: ...
+def interpolating_spline(
+    points: _Shape,
+    degree: Literal[2, 3] = 3,
+    *,
+    start: Form | ArrayLike | None = None,
+    ends: _EndRule | Sequence[_EndRule] = "natural",
+    params: Literal["chord", "centripetal", "uniform"] | _ListPerAxis = "chord",
+    tangents: ArrayLike | None = None,
+    circle: bool = False,
+) -> Spline: ...
+def insert_knots(spline: _Shape, knots: _PerAxis, *, axis: int = 0) -> Spline: ...
+@overload
+def remove_knots(
+    spline: _Shape,
+    knots: _PerAxis | None = None,
+    *,
+    axis: int = 0,
+    accuracy: float = 1e-12,
+    report: Literal[False] = False,
+) -> Spline: ...
+@overload
+def remove_knots(
+    spline: _Shape,
+    knots: _PerAxis | None = None,
+    *,
+    axis: int = 0,
+    accuracy: float = 1e-12,
+    report: Literal[True],
+) -> Simplified: ...
+@overload
+def continuity(
+    f: _Shape,
+    g: None = None,
+    *,
+    at: _Ends | None = None,
+    order: int = 2,
+    accuracy: float = 1e-9,
+    axis: int = 0,
+) -> list[tuple[float, Continuity]]: ...
+@overload
+def continuity(
+    f: _Shape,
+    g: _Shape,
+    *,
+    at: _Ends | None = None,
+    order: int = 2,
+    accuracy: float = 1e-9,
+    axis: int = 0,
+) -> Continuity: ...
+def join_forms(
+    f: _Shape,
+    g: _Shape,
+    order: int = 1,
+    *,
+    kind: Literal["geometric", "parametric"] = "geometric",
+    moving: Sequence[int] | None = None,
+    at: _Ends | None = None,
+) -> Joined: ...
+@overload
+def arc_length(
+    curve: _Shape,
+    a: _Number | None = None,
+    b: _Number | None = None,
+    *,
+    accuracy: float = 1e-12,
+    report: Literal[False] = False,
+) -> float: ...
+@overload
+def arc_length(
+    curve: _Shape,
+    a: _Number | None = None,
+    b: _Number | None = None,
+    *,
+    accuracy: float = 1e-12,
+    report: Literal[True],
+) -> Length: ...
+@overload
+def parameter_at_length(curve: _Shape, length: _Number, *, accuracy: float = 1e-12) -> float: ...
+@overload
+def parameter_at_length(curve: _Shape, length: ArrayLike, *, accuracy: float = 1e-12) -> _Array: ...
+@overload
+def by_arc_length(
+    curve: _Shape, *, accuracy: float = 1e-9, report: Literal[False] = False
+) -> Spline: ...
+@overload
+def by_arc_length(curve: _Shape, *, accuracy: float = 1e-9, report: Literal[True]) -> UnitSpeed: ...

@@ -212,3 +212,83 @@ class Unrolling(NamedTuple):
     """Of an angle between two directions, in radians."""
     area: float
     """Of an area: how much its ratio differs from 1."""
+
+
+class Simplified(NamedTuple):
+    """A spline with fewer knots, and how far its poles are from those it replaces.
+
+    >>> import pforms as pf
+    >>> halves = pf.Form([(0, 0), (1, 2), (2, 0)]).subdivide(1)
+    >>> pf.remove_knots(halves, report=True)
+    Simplified(spline=<pforms.Spline of 1 pieces pL3 in 2D>, error=0.0)
+    """
+
+    spline: Spline
+    error: float
+    """How far a homogeneous pole is, at most, when the knots are inserted again."""
+
+
+class Continuity(NamedTuple):
+    """How smoothly two forms meet.
+
+    >>> import pforms as pf
+    >>> f, g = pf.Form([(0, 0), (1, 0)]), pf.Form([(1, 0), (1, 2)])
+    >>> joint = pf.continuity(f, g, order=1)
+    >>> joint.parametric, joint.geometric
+    (0, 0)
+    >>> joint.geometric_gaps.round(6)
+    array([0.      , 1.570796])
+    """
+
+    parametric: int | None
+    """The largest k for which they are C^k, as far as was asked; None if they do not meet."""
+    geometric: int | None
+    """The largest k for which they are G^k."""
+    gaps: NDArray[float64]
+    """The differences of the derivatives of order 0, 1, …"""
+    geometric_gaps: NDArray[float64]
+    """The distance, the angle in radians, the difference of the curvatures, …"""
+
+
+class Joined(NamedTuple):
+    """Two forms made to meet.
+
+    >>> import pforms as pf
+    >>> f, g = pf.Form([(0, 0), (1, 0)]), pf.Form([(1, 1), (2, 0)])
+    >>> round(pf.join_forms(f, g, 0).moved, 12)
+    0.5
+    """
+
+    f: Form | Spline
+    g: Form | Spline
+    moved: float
+    """The largest distance by which a pole was moved."""
+
+
+class Length(NamedTuple):
+    """The length of a curve.
+
+    >>> import pforms as pf
+    >>> length, error = pf.arc_length(pf.Form([(0, 0), (3, 4)]), report=True)
+    >>> length, error < 1e-12
+    (5.0, True)
+    """
+
+    length: float
+    error: float
+    """By how much the true length may differ, at most."""
+
+
+class UnitSpeed(NamedTuple):
+    """A curve by its own length.
+
+    >>> import pforms as pf
+    >>> even = pf.by_arc_length(pf.Form([(0, 0), (3, 4)]), report=True)
+    >>> even.length, even.error < 1e-9
+    (5.0, True)
+    """
+
+    spline: Spline
+    length: float
+    error: float
+    """How far its speed is from 1, at most, as measured."""

@@ -68,6 +68,11 @@ pub(crate) fn axis(form: &Form, object: &Bound<'_, PyAny>) -> PyResult<usize> {
     fail(&Error::shape("axis", number, format!("0 to {last} for a {}", form.kind())))
 }
 
+/// The number of an axis, 0 if absent.
+pub(crate) fn axis_number(object: Option<&Bound<'_, PyAny>>) -> PyResult<usize> {
+    object.map_or(Ok(0), |object| whole("axis", object))
+}
+
 /// A level of recursion.
 pub(crate) fn level(argument: &str, level: usize) -> PyResult<u32> {
     const MOST: u32 = 1_000_000;

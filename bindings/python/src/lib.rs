@@ -18,6 +18,8 @@ mod gestures;
 mod grids;
 mod immersed;
 mod inside;
+mod joining;
+mod lengths;
 mod making;
 mod measuring;
 mod offsetting;
@@ -36,6 +38,8 @@ mod sheet;
 mod slices;
 mod spanning;
 mod spline;
+mod spline_methods;
+mod splining;
 mod tessellating;
 mod transforming;
 mod values;
@@ -62,6 +66,10 @@ mod _pforms {
     #[pymodule_export]
     use crate::inside::{immerse_points, polyline, segment, tile};
     #[pymodule_export]
+    use crate::joining::{continuity, insert_knots, join_forms, remove_knots};
+    #[pymodule_export]
+    use crate::lengths::{arc_length, by_arc_length, parameter_at_length};
+    #[pymodule_export]
     use crate::making::{fit, interpolate};
     #[pymodule_export]
     use crate::offsetting::{
@@ -82,6 +90,8 @@ mod _pforms {
     use crate::spanning::coons;
     #[pymodule_export]
     use crate::spline::PySpline;
+    #[pymodule_export]
+    use crate::splining::{bspline, concatenate, interpolating_spline, nurbs};
     #[pymodule_export]
     use crate::tessellating::tessellate;
     #[pymodule_export]

@@ -161,7 +161,7 @@ pub(crate) fn fit<'py>(
     if report { reported(py, fit) } else { PyForm::from(fit.form).into_bound_py_any(py) }
 }
 
-fn read_parameters(params: &Bound<'_, PyAny>) -> PyResult<Parameters> {
+pub(crate) fn read_parameters(params: &Bound<'_, PyAny>) -> PyResult<Parameters> {
     if !params.is_instance_of::<PyString>() {
         return lists("params", params).map(Parameters::Given);
     }
@@ -192,7 +192,7 @@ fn reported(py: Python<'_>, fit: Fit) -> PyResult<Bound<'_, PyAny>> {
 }
 
 /// A list of numbers for each axis; a plain list is that of the only axis.
-fn lists(argument: &str, object: &Bound<'_, PyAny>) -> PyResult<Vec<Vec<f64>>> {
+pub(crate) fn lists(argument: &str, object: &Bound<'_, PyAny>) -> PyResult<Vec<Vec<f64>>> {
     let outer = object.is_instance_of::<PyList>()
         || object.is_instance_of::<PyTuple>()
         || object.is_instance_of::<PyUntypedArray>();
@@ -202,7 +202,7 @@ fn lists(argument: &str, object: &Bound<'_, PyAny>) -> PyResult<Vec<Vec<f64>>> {
     one_list(argument, object).map(|list| vec![list])
 }
 
-fn one_list(argument: &str, object: &Bound<'_, PyAny>) -> PyResult<Vec<f64>> {
+pub(crate) fn one_list(argument: &str, object: &Bound<'_, PyAny>) -> PyResult<Vec<f64>> {
     let numbers = Numbers::read(argument, object)?;
     let read: Result<Vec<f64>> = match numbers.shape() {
         [_] => Ok(numbers.values().to_vec()),

@@ -220,7 +220,7 @@ impl PySpline {
 }
 
 /// A list of knots for each axis; of a curve a plain list of numbers.
-fn knot_lists(object: &Bound<'_, PyAny>, axes: usize) -> PyResult<Vec<Vec<f64>>> {
+pub(crate) fn knot_lists(object: &Bound<'_, PyAny>, axes: usize) -> PyResult<Vec<Vec<f64>>> {
     if axes == 1
         && let Ok(numbers) = Numbers::read("knots", object)
         && numbers.shape().len() == 1

@@ -69,6 +69,65 @@ def unrolled(f, part=None):
     return getattr(found, part) if part else found.spline.net
 
 
+def unit_speed(f, *more, part="spline", accuracy=1e-9):
+    """A curve at unit speed, one of its points, or a part of the report."""
+    if f == "point":
+        curve, s = more
+        return pf.by_arc_length(curve)(s)
+    even = pf.by_arc_length(f, accuracy=accuracy, report=True)
+    return even.spline.net if part == "spline" else getattr(even, part)
+
+
+def concatenated(forms, t=None, **more):
+    spline = pf.concatenate(forms, **more)
+    return spline.net if t is None else spline(t)
+
+
+def joint(f, *more, part=None, **options):
+    """A joint by the names of a formula."""
+    if f == "bspline":
+        net, degree = more
+        return [getattr(one, part) for _, one in pf.continuity(pf.bspline(net, degree))]
+    found = pf.continuity(f, *more, **options)._asdict()
+    record = {name.replace("_", " "): value for name, value in found.items()}
+    for name in ("parametric", "geometric"):
+        record[name] = -1 if record[name] is None else record[name]
+    return record[part] if part else record
+
+
+def through(f, *more, parameters="chord", **options):
+    at = more[1:]
+    if "tangents" in options:
+        options["tangents"] = options["tangents"].poles
+    spline = pf.interpolating_spline(f, *more[:1], params=parameters, **options)
+    return spline(*at) if at else spline.net
+
+
+def rational_spline(f, weights, knots, *at):
+    count = np.shape(f.poles)[:-1]
+    if np.size(weights) == 1:
+        weights = np.full(count, weights)
+    elif np.size(weights) == np.prod(count):
+        weights = np.reshape(weights, count)
+    spline = pf.nurbs(f.poles, weights, knots)
+    return spline(*at) if at else spline.pieces
+
+
+def at_length(f, *more):
+    if f == "point":
+        curve, length = more
+        return curve(pf.parameter_at_length(curve, length))
+    return pf.parameter_at_length(f, *more)
+
+
+def fewer_knots(f, *more):
+    if f == "polygon":
+        net, knots = more
+        return pf.remove_knots(pf.bspline(net, 1), knots)
+    inserted, *knots = more
+    return pf.remove_knots(pf.insert_knots(f, inserted), *knots).net
+
+
 # How the arguments of a golden case are handed over: `f` a form, then what the operator takes.
 CALLS = {
     "affine_matrix": pf.affine_matrix,
@@ -82,7 +141,18 @@ CALLS = {
     "elevate": lambda f, by: f.elevate(by),
     "evaluate": lambda f, *at: f(*at),
     "explain": pf.explain,
+    "arc_length": pf.arc_length,
     "binormal_form": pf.binormal_form,
+    "bspline": lambda *f, **more: pf.bspline(*f, **more).pieces,
+    "by_arc_length": unit_speed,
+    "concatenate": concatenated,
+    "continuity": joint,
+    "insert_knots": lambda f, knots, **more: pf.insert_knots(f, knots, **more).net,
+    "interpolating_spline": through,
+    "join_forms": lambda f, g, order, **more: list(pf.join_forms(f, g, order, **more)[:2]),
+    "nurbs": rational_spline,
+    "parameter_at_length": at_length,
+    "remove_knots": fewer_knots,
     "curvature": lambda f, *at, part=None: f.frame(*at)[part] if part else f.curvature(*at),
     "fit": lambda f, orders, part="form", parameters="chord", **more: pf.fit(
         f.poles, orders, parameters, report=True, **more

@@ -24,6 +24,11 @@ impl<S: Arithmetic> Bound<S> {
         !self.slots[index].is_empty()
     }
 
+    /// The English name of a parameter.
+    pub(crate) fn name(&self, index: usize) -> &'static str {
+        self.parameter(index).name.en
+    }
+
     /// Every value given for a parameter.
     pub(crate) fn all(&self, index: usize) -> &[Value<S>] {
         &self.slots[index]
@@ -155,9 +160,17 @@ impl<S: Arithmetic> Bound<S> {
 
     /// The English of the choice that was given in either language.
     pub(crate) fn choice(&self, index: usize) -> Result<&'static str, Failure> {
-        let text = self.text(index)?;
+        self.choice_of(index, &self.value(index))
+    }
+
+    pub(crate) fn choice_of(
+        &self,
+        index: usize,
+        value: &Value<S>,
+    ) -> Result<&'static str, Failure> {
+        let Value::Text(text) = value else { return Err(self.mistyped(index, value)) };
         let choices = self.parameter(index).choices;
-        if let Some(choice) = choices.iter().find(|choice| choice.matches(&text)) {
+        if let Some(choice) = choices.iter().find(|choice| choice.matches(text)) {
             return Ok(choice.en);
         }
         let list = |language: Language| {
@@ -165,7 +178,7 @@ impl<S: Arithmetic> Bound<S> {
             quoted.collect::<Vec<_>>().join(", ")
         };
         let (en, fr) = (list(Language::English), list(Language::French));
-        Err(self.explain(index, &Value::Text(text), domain, &en, &fr))
+        Err(self.explain(index, value, domain, &en, &fr))
     }
 
     /// A list.

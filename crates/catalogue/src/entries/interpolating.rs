@@ -148,7 +148,7 @@ fn interpolate<S: Arithmetic>(a: &Bound<S>) -> Outcome<S> {
 }
 
 /// One list of numbers for each axis; a plain list of numbers counts for all axes.
-fn lists_of<S: Arithmetic>(
+pub(super) fn lists_of<S: Arithmetic>(
     a: &Bound<S>,
     index: usize,
     items: &[Value<S>],

@@ -12,6 +12,9 @@ mod framing;
 mod gestures;
 mod immersing;
 mod interpolating;
+mod joining;
+mod knotting;
+mod lengths;
 mod lists;
 mod mirroring;
 mod numbers;
@@ -21,7 +24,9 @@ mod products;
 mod projecting;
 mod quadrics;
 mod spanning;
+mod splining;
 mod sweeping;
+mod through_points;
 mod transforming;
 mod turning;
 mod windows;
@@ -53,6 +58,11 @@ pub(crate) fn all() -> Vec<Operator> {
         transforming::ENTRIES,
         turning::ENTRIES,
         mirroring::ENTRIES,
+        splining::ENTRIES,
+        through_points::ENTRIES,
+        knotting::ENTRIES,
+        joining::ENTRIES,
+        lengths::ENTRIES,
         forms::ENTRIES,
         pieces::ENTRIES,
         &numbers,

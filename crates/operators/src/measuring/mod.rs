@@ -1,8 +1,10 @@
 //! Questions about a form, answered with a stated accuracy.
 
 pub(crate) mod about_one;
+mod arc_length;
 pub(crate) mod bending;
 mod classify;
+mod continuity;
 mod curvature;
 mod curve_frame;
 mod developable;
@@ -13,12 +15,15 @@ mod normals;
 mod project;
 pub(crate) mod roots;
 mod rotation_minimising;
+mod scale;
 mod surface_frame;
 mod tangent_form;
 pub(crate) mod vector;
 mod volume_frame;
 
+pub use arc_length::ArcLength;
 pub use classify::{Conic, classify};
+pub use continuity::{Continuity, ContinuityOptions, FormEnd, continuity, joints};
 pub use curvature::{Curvature, curvature};
 pub use curve_frame::{CurveFrame, FrameKind, curve_frame, curve_frames};
 pub use developable::{Developability, gauss_form, is_developable};
