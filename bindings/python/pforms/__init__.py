@@ -86,6 +86,7 @@ from pforms._pforms import (
     unroll,
     viviani,
 )
+from pforms.either import either
 from pforms.errors import (
     AccuracyError,
     ArgumentError,
@@ -116,29 +117,31 @@ from pforms.records import (
 
 binormal_form = Form.binormal_form
 blossom = Form.blossom
-curvature = Form.curvature
-derivative = Form.derivative
+curvature = either(Form.curvature, Spline.curvature)
+derivative = either(Form.derivative, Spline.derivative)
 diagonal = Form.diagonal
-elevate = Form.elevate
-evaluate = Form.evaluate
-frame = Form.frame
-hodograph = Form.hodograph
 join = join_forms
+elevate = either(Form.elevate, Spline.elevate)
+evaluate = either(Form.evaluate, Spline.evaluate)
+frame = either(Form.frame, Spline.frame)
+hodograph = either(Form.hodograph, Spline.hodograph)
 normal_form = Form.normal_form
-normals = Form.normals
-project = Form.project
+normals = either(Form.normals, Spline.normals)
+project = either(Form.project, Spline.project)
 reduce = Form.reduce
 reparametrise = Form.reparametrise
-reverse = Form.reverse
-split = Form.split
-stretch = Form.stretch
-sub = Form.sub
-subdivide = Form.subdivide
+reverse = either(Form.reverse, Spline.reverse)
+split = either(Form.split, Spline.split)
+stretch = either(Form.stretch, Spline.stretch)
+sub = either(Form.sub, Spline.sub)
+subdivide = either(Form.subdivide, Spline.subdivide)
 tangent_form = Form.tangent_form
-transpose = Form.transpose
+transpose = either(Form.transpose, Spline.transpose)
 unstack = Form.unstack
 whole_line = Form.whole_line
-with_pole = Form.with_pole
+with_pole = either(Form.with_pole, Spline.with_pole)
+
+del either
 
 __all__ = [
     "AccuracyError",

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
-from pforms._pforms import Form, Sheet, _draw_forms, _read_forms, _write_forms
+from pforms._pforms import Form, Sheet, Spline, _draw_forms, _read_forms, _write_forms
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -21,8 +21,8 @@ class _Look(NamedTuple):
     axes: bool
 
 
-def load(path: _Path) -> Form | list[Form] | Sheet:
-    """What a file holds: a sheet (``.pfs``), a form, or a list of several forms.
+def load(path: _Path) -> Form | Spline | list[Form | Spline] | Sheet:
+    """What a file holds: a sheet (``.pfs``), a form or spline, or a list of several.
 
     Forms are read from ``.json`` and ``.bpt``.
 
@@ -48,8 +48,8 @@ def load(path: _Path) -> Form | list[Form] | Sheet:
     return forms[0] if len(forms) == 1 else forms
 
 
-def save(what: Form | Iterable[Form] | Sheet, path: _Path) -> None:
-    """Writes a sheet (``.pfs``), or one or several forms (``.json`` exactly, ``.bpt`` patches).
+def save(what: Form | Spline | Iterable[Form | Spline] | Sheet, path: _Path) -> None:
+    """Writes a sheet (``.pfs``), or forms and splines (``.json`` exactly, ``.bpt`` patches).
 
     Raises FormatError when the name ends in something else, OSError when writing fails.
 
@@ -67,7 +67,7 @@ def save(what: Form | Iterable[Form] | Sheet, path: _Path) -> None:
 
 
 def draw(
-    what: _Path | Form | Iterable[Form] | Sheet,
+    what: _Path | Form | Spline | Iterable[Form | Spline] | Sheet,
     out: _Path,
     *,
     axes: bool = True,
@@ -78,7 +78,7 @@ def draw(
 
     Parameters
     ----------
-    what : path, Form, iterable of Form, or Sheet
+    what : path, Form, Spline, iterable of them, or Sheet
         A sheet is drawn as it says, with its styles and its camera.
     out : path
         The file to write; beside an OBJ stands one with its colours.

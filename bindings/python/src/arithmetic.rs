@@ -1,13 +1,15 @@
 //! `a + b`, `2*a - b`, `a/2`: homogeneous combinations.
 
-use pforms_kernel::{Error, Form};
-use pforms_operators as operators;
+use pforms_kernel::{Error, Form, Result};
+use pforms_operators::{self as operators, Poles, Shape, combine_shapes};
 use pyo3::prelude::*;
 use pyo3::types::PyNotImplemented;
 
 use crate::arguments::{real, require_finite};
-use crate::errors::{done, fail};
+use crate::errors::done;
 use crate::form::PyForm;
+use crate::shapes::object;
+use crate::spline::PySpline;
 
 #[pymethods]
 impl PyForm {
@@ -38,13 +40,7 @@ impl PyForm {
         let py = divisor.py();
         let Some(divisor) = number(divisor) else { return Ok(not_implemented(py)) };
         require_finite("divisor", &[divisor])?;
-        if divisor == 0.0 {
-            return fail(&Error::domain("divisor", "0", "another number"));
-        }
-        let quotient = done(py, self.form.pole_count(), || {
-            let poles = self.form.homogeneous().iter().map(|x| x / divisor).collect();
-            Form::from_homogeneous(self.form.orders(), self.form.ambient(), poles)
-        })?;
+        let quotient = done(py, self.form.pole_count(), || divided(&self.form, divisor))?;
         Ok(Bound::new(py, Self::from(quotient))?.into_any())
     }
 
@@ -60,6 +56,7 @@ impl PyForm {
 impl PyForm {
     fn plus<'py>(&self, sign: f64, other: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
         let py = other.py();
+        // A spline answers for both.
         let Ok(other) = other.cast::<Self>() else { return Ok(not_implemented(py)) };
         let sum = combined(py, &[1.0, sign], &[&self.form, &other.get().form])?;
         Ok(Bound::new(py, sum)?.into_any())
@@ -70,6 +67,89 @@ impl PyForm {
         let Some(factor) = number(factor) else { return Ok(not_implemented(py)) };
         require_finite("factor", &[factor])?;
         Ok(Bound::new(py, combined(py, &[factor], &[&self.form])?)?.into_any())
+    }
+}
+
+/// The net with every number divided, as a quotient of one rounding.
+fn divided(net: &Form, divisor: f64) -> Result<Form> {
+    if divisor == 0.0 {
+        return Err(Error::domain("divisor", "0", "another number"));
+    }
+    let poles = net.homogeneous().iter().map(|x| x / divisor).collect();
+    Form::from_homogeneous(net.orders(), net.ambient(), poles)
+}
+
+#[pymethods]
+impl PySpline {
+    /// NumPy leaves arithmetic with splines to the splines.
+    #[classattr]
+    #[pyo3(name = "__array_ufunc__")]
+    fn array_ufunc() -> Option<bool> {
+        None
+    }
+
+    fn __add__<'py>(&self, other: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+        self.mixed([1.0, 1.0], other)
+    }
+
+    fn __radd__<'py>(&self, other: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+        self.mixed([1.0, 1.0], other)
+    }
+
+    fn __sub__<'py>(&self, other: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+        self.mixed([1.0, -1.0], other)
+    }
+
+    fn __rsub__<'py>(&self, other: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+        self.mixed([-1.0, 1.0], other)
+    }
+
+    fn __mul__<'py>(&self, factor: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+        let py = factor.py();
+        let Some(factor) = number(factor) else { return Ok(not_implemented(py)) };
+        require_finite("factor", &[factor])?;
+        Ok(Bound::new(py, self.multiplied(py, factor)?)?.into_any())
+    }
+
+    fn __rmul__<'py>(&self, factor: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+        self.__mul__(factor)
+    }
+
+    fn __truediv__<'py>(&self, divisor: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+        let py = divisor.py();
+        let Some(divisor) = number(divisor) else { return Ok(not_implemented(py)) };
+        require_finite("divisor", &[divisor])?;
+        let quotient =
+            self.worked(py, |spline| spline.with_net(divided(spline.net(), divisor)?))?;
+        Ok(Bound::new(py, quotient)?.into_any())
+    }
+
+    fn __neg__(&self, py: Python<'_>) -> PyResult<Self> {
+        self.multiplied(py, -1.0)
+    }
+
+    fn __pos__(slf: PyRef<'_, Self>) -> PyRef<'_, Self> {
+        slf
+    }
+}
+
+impl PySpline {
+    /// `k₀·self + k₁·other` with another spline, or a form.
+    fn mixed<'py>(&self, k: [f64; 2], other: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+        let py = other.py();
+        let other = if let Ok(spline) = other.cast::<Self>() {
+            Shape::from(spline.get().spline.clone())
+        } else if let Ok(form) = other.cast::<PyForm>() {
+            Shape::from(form.get().form.clone())
+        } else {
+            return Ok(not_implemented(py));
+        };
+        let shapes = [self.spline.clone().into(), other];
+        object(py, done(py, self.cost(), || combine_shapes(&k, &shapes, false))?)
+    }
+
+    fn multiplied(&self, py: Python<'_>, factor: f64) -> PyResult<Self> {
+        self.worked(py, |spline| spline.with_net(operators::combine(&[factor], &[spline.net()])?))
     }
 }
 

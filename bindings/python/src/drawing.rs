@@ -9,7 +9,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 
 use crate::errors::{done, raised};
-use crate::forms::Forms;
+use crate::shapes;
 
 /// What was asked about a picture.
 #[derive(FromPyObject)]
@@ -85,14 +85,14 @@ pub(crate) fn _draw_forms<'py>(
     forms: &Bound<'py, PyAny>,
     look: &Bound<'py, PyAny>,
 ) -> PyResult<Vec<Bound<'py, PyBytes>>> {
-    let list = Forms::read("what", forms)?.cloned();
+    let list = shapes::list("what", forms)?;
     if list.is_empty() {
         return Err(raised(&Error::shape("what", "no forms", "at least one form")));
     }
     picture(look, |look| {
         let none = Settings::new();
         let mut scene = Scene { camera: look.camera(&none)?, ..Scene::default() };
-        scene.add("form", Shapes::of(list), look.style(&none)?)?;
+        scene.add("form", Shapes::of_all(list), look.style(&none)?)?;
         Ok(scene)
     })
 }

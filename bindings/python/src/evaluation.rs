@@ -58,20 +58,20 @@ impl Evaluate for Form {
 
 impl Evaluate for Spline {
     fn width(&self) -> usize {
-        self.net().ambient()
+        self.ambient()
     }
 
     fn cost(&self) -> usize {
         let poles: usize = self.degrees().iter().map(|degree| degree + 1).product();
         // Each point finds its piece first.
-        16 * poles * self.width()
+        4 * poles * (self.width() + 1)
     }
 
-    fn fill(&self, at: &[&[f64]], _: Option<&[usize]>, out: &mut [f64]) -> Result<()> {
-        self.net().each_scattered(at, out, self.width(), |_, at, part| {
-            part.copy_from_slice(&self.at(at)?);
-            Ok(())
-        })
+    fn fill(&self, at: &[&[f64]], orders: Option<&[usize]>, out: &mut [f64]) -> Result<()> {
+        match orders {
+            None => self.scattered_into(at, out),
+            Some(orders) => self.scattered_derivative_into(at, orders, out),
+        }
     }
 }
 

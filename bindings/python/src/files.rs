@@ -1,12 +1,13 @@
 //! Files of forms. Paths and bytes go through Python, whose errors name the file.
 
 use pforms_formats::{Format, Named, read as read_named, write_forms};
+use pforms_operators::Shape;
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyString};
 
 use crate::errors::{done, mistyped, raised};
 use crate::form::PyForm;
-use crate::forms::Forms;
+use crate::shapes::{self, object};
 
 /// The bytes of a file.
 pub(crate) fn read(path: &Bound<'_, PyAny>) -> PyResult<Vec<u8>> {
@@ -30,13 +31,13 @@ fn opened<'py>(path: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
 
 /// The forms in the bytes of a file, by its name.
 #[pyfunction]
-pub(crate) fn _read_forms(
-    py: Python<'_>,
+pub(crate) fn _read_forms<'py>(
+    py: Python<'py>,
     name: &str,
     bytes: &[u8],
-) -> PyResult<Vec<(Option<String>, PyForm)>> {
+) -> PyResult<Vec<(Option<String>, Bound<'py, PyAny>)>> {
     let forms = done(py, usize::MAX, || read_named(name, bytes))?;
-    Ok(forms.into_iter().map(|Named { name, form }| (name, PyForm::from(form))).collect())
+    forms.into_iter().map(|Named { name, shape }| Ok((name, object(py, shape)?))).collect()
 }
 
 /// The bytes of a file of this name that holds forms.
@@ -45,7 +46,7 @@ pub(crate) fn _write_forms<'py>(
     name: &str,
     forms: &Bound<'py, PyAny>,
 ) -> PyResult<Bound<'py, PyBytes>> {
-    let list = Forms::read("forms", forms)?.cloned();
+    let list = shapes::list("forms", forms)?;
     let bytes = done(forms.py(), usize::MAX, || {
         let named: Vec<Named> = list.into_iter().map(Named::from).collect();
         write_forms(Format::of_name(name)?, &named)
@@ -64,9 +65,13 @@ impl PyForm {
     /// >>> pf.load("segment.json")
     /// <pforms.Form pL2 in 2D>
     fn save(&self, path: &Bound<'_, PyAny>) -> PyResult<()> {
-        let name = opened(path)?.getattr("name")?.extract::<String>()?;
-        let form = Named::from(self.form.clone());
-        let bytes = Format::of_name(&name).and_then(|format| write_forms(format, &[form]));
-        write(path, &bytes.map_err(|error| raised(&error))?)
+        save(self.form.clone().into(), path)
     }
+}
+
+/// Writes a form or a spline into a file.
+pub(crate) fn save(shape: Shape, path: &Bound<'_, PyAny>) -> PyResult<()> {
+    let name = opened(path)?.getattr("name")?.extract::<String>()?;
+    let bytes = Format::of_name(&name).and_then(|format| write_forms(format, &[shape.into()]));
+    write(path, &bytes.map_err(|error| raised(&error))?)
 }

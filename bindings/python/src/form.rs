@@ -96,13 +96,7 @@ impl PyForm {
     ///        [1., 2.]])
     #[getter]
     fn poles<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
-        let poles = self.form.homogeneous().chunks_exact(self.form.width());
-        let euclidean = poles.flat_map(|pole| {
-            let (weight, point) = pole.split_last().unwrap_or((&1.0, pole));
-            let divisor = if *weight == 0.0 { 1.0 } else { *weight };
-            point.iter().map(move |x| x / divisor)
-        });
-        array(py, &self.shape(self.form.ambient()), euclidean.collect())
+        poles(py, &self.form)
     }
 
     /// The weights, a new array of shape (n1, …, nd).
@@ -205,28 +199,7 @@ impl PyForm {
         point: &Bound<'_, PyAny>,
         weight: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Self> {
-        let index = wholes("index", index, 1)?;
-        if let Ok(point) = point.cast::<Self>() {
-            let (form, pole) = (&self.form, point.get().form.homogeneous());
-            return done(py, form.pole_count(), || form.with_pole(&index, pole)).map(Self::from);
-        }
-        let point = Numbers::read("point", point)?;
-        if point.shape() != [self.form.ambient()] {
-            let received = format!("an array of shape {:?}", point.shape());
-            let expected = format!("a point of {} coordinates", self.form.ambient());
-            return fail(&Error::shape("point", received, expected));
-        }
-        require_finite("point", point.values())?;
-        let weight = weight.map(|weight| real("weight", weight)).transpose()?;
-        require_finite("weight", weight.as_slice())?;
-        let values = point.values();
-        done(py, self.form.pole_count(), || {
-            let old = self.form.pole(&index)?[self.form.ambient()];
-            let pole =
-                Form::from_points(&[], values.len(), values, Some(&[weight.unwrap_or(old)]))?;
-            self.form.with_pole(&index, pole.homogeneous())
-        })
-        .map(Self::from)
+        with_pole(py, &self.form, index, point, weight).map(Self::from)
     }
 
     fn __repr__(&self) -> String {
@@ -269,6 +242,47 @@ impl PyForm {
     pub(crate) fn shape(&self, width: usize) -> Vec<usize> {
         self.form.orders().iter().copied().chain([width]).collect()
     }
+}
+
+/// The euclidean poles in an array; of weight 0 the direction.
+pub(crate) fn poles<'py>(py: Python<'py>, form: &Form) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
+    let euclidean = form.homogeneous().chunks_exact(form.width()).flat_map(|pole| {
+        let (weight, point) = pole.split_last().unwrap_or((&1.0, pole));
+        let divisor = if *weight == 0.0 { 1.0 } else { *weight };
+        point.iter().map(move |x| x / divisor)
+    });
+    let shape: Vec<usize> = form.orders().iter().copied().chain([form.ambient()]).collect();
+    array(py, &shape, euclidean.collect())
+}
+
+/// The form with one pole at another place.
+pub(crate) fn with_pole(
+    py: Python<'_>,
+    form: &Form,
+    index: &Bound<'_, PyAny>,
+    point: &Bound<'_, PyAny>,
+    weight: Option<&Bound<'_, PyAny>>,
+) -> PyResult<Form> {
+    let index = wholes("index", index, 1)?;
+    if let Ok(point) = point.cast::<PyForm>() {
+        let pole = point.get().form.homogeneous();
+        return done(py, form.pole_count(), || form.with_pole(&index, pole));
+    }
+    let point = Numbers::read("point", point)?;
+    if point.shape() != [form.ambient()] {
+        let received = format!("an array of shape {:?}", point.shape());
+        let expected = format!("a point of {} coordinates", form.ambient());
+        return fail(&Error::shape("point", received, expected));
+    }
+    require_finite("point", point.values())?;
+    let weight = weight.map(|weight| real("weight", weight)).transpose()?;
+    require_finite("weight", weight.as_slice())?;
+    let values = point.values();
+    done(py, form.pole_count(), || {
+        let old = form.pole(&index)?[form.ambient()];
+        let pole = Form::from_points(&[], values.len(), values, Some(&[weight.unwrap_or(old)]))?;
+        form.with_pole(&index, pole.homogeneous())
+    })
 }
 
 /// A form from an array of points and one of weights.

@@ -1,7 +1,7 @@
 //! Points on grids of parameters, of one form or of many.
 
 use pforms_kernel::{Error, Form, grids_into, limit};
-use pforms_operators as operators;
+use pforms_operators::{self as operators, Spline};
 use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
 use pyo3::types::{PyInt, PyTuple};
@@ -14,6 +14,7 @@ use crate::form::PyForm;
 use crate::forms::Forms;
 use crate::outputs::Output;
 use crate::sampling::Grids;
+use crate::spline::PySpline;
 
 #[pymethods]
 impl PyForm {
@@ -63,11 +64,34 @@ impl PyForm {
     }
 }
 
+#[pymethods]
+impl PySpline {
+    /// Points on a grid of parameters, if wanted with the unit normals of a surface.
+    ///
+    /// As :meth:`Form.grid`; a count divides the window of the spline into equal steps.
+    ///
+    /// >>> curve = pf.Spline([(0,), (1,), (3,)], 1, [0, 0, 1, 2, 2])
+    /// >>> curve.grid(5)[:, 0]
+    /// array([0. , 0.5, 1. , 2. , 3. ])
+    #[pyo3(
+        signature = (*parameters, normals=None, out=None),
+        text_signature = "($self, *parameters, normals=False, out=None)"
+    )]
+    fn grid<'py>(
+        &self,
+        parameters: &Bound<'py, PyTuple>,
+        normals: Option<&Bound<'py, PyAny>>,
+        out: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        spline_grid(&self.spline, parameters, normals, out)
+    }
+}
+
 /// Points on a grid of parameters: of a form, or of each form of a list in one call.
 ///
 /// Parameters
 /// ----------
-/// forms : Form or sequence of Form
+/// forms : Form, sequence of Form, or Spline
 ///     Of the same number of axes, in the same space; orders may differ.
 /// *parameters : int or array_like
 ///     For each axis a count, for so many equal steps from 0 to 1, or a list of parameters.
@@ -101,6 +125,9 @@ pub(crate) fn grid<'py>(
     normals: Option<&Bound<'py, PyAny>>,
     out: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Bound<'py, PyAny>> {
+    if let Ok(spline) = forms.cast::<PySpline>() {
+        return spline_grid(&spline.get().spline, parameters, normals, out);
+    }
     let list = Forms::read("forms", forms)?;
     let refs = list.refs();
     let single = forms.is_instance_of::<PyForm>();
@@ -118,7 +145,7 @@ fn sampled<'py>(
 ) -> PyResult<Bound<'py, PyAny>> {
     let py = parameters.py();
     let lines: Vec<Numbers<'py>> =
-        parameters.iter().map(|given| line(&given)).collect::<PyResult<_>>()?;
+        parameters.iter().map(|given| line(&given, (0.0, 1.0))).collect::<PyResult<_>>()?;
     let lists: Vec<&[f64]> = lines.iter().map(Numbers::values).collect();
     let first = require_alike(forms, &lists).map_err(|error| raised(&error))?;
     let shape: Shape = leading.into_iter().chain(lists.iter().map(|list| list.len())).collect();
@@ -137,6 +164,43 @@ fn sampled<'py>(
         py,
         4 * cost,
         &points_and_normals,
+    )?;
+    (points.array(), normals.array()).into_bound_py_any(py)
+}
+
+/// The grid of a spline; counts divide its window.
+fn spline_grid<'py>(
+    spline: &Spline,
+    parameters: &Bound<'py, PyTuple>,
+    normals: Option<&Bound<'py, PyAny>>,
+    out: Option<&Bound<'py, PyAny>>,
+) -> PyResult<Bound<'py, PyAny>> {
+    let py = parameters.py();
+    let mut lines: Vec<Numbers<'py>> = Vec::with_capacity(parameters.len());
+    for (axis, given) in parameters.iter().enumerate() {
+        lines.push(line(&given, spline.window(axis).unwrap_or((0.0, 1.0)))?);
+    }
+    let lists: Vec<&[f64]> = lines.iter().map(Numbers::values).collect();
+    spline.net().require_per_axis("parameters", &lists).map_err(|error| raised(&error))?;
+    let shape: Shape = lists.iter().map(|list| list.len()).collect();
+    let ambient = Some(spline.ambient());
+    let (cost, nets) = (spline.cost(), [spline.net()]);
+    if !normals.map_or(Ok(false), |normals| truth("normals", normals))? {
+        let mut points = Output::new(py, &shape, ambient, out)?;
+        Grids::new(&nets, &lists, points.numbers()?)
+            .fill(py, cost, &|part| spline.grid_into(&part.lists, part.points))?;
+        return Ok(points.array().into_any());
+    }
+    let (for_points, for_normals) = out.map(pair).transpose()?.unzip();
+    let mut points = Output::new(py, &shape, ambient, for_points.as_ref())?;
+    let mut normals = Output::new(py, &shape, ambient, for_normals.as_ref())?;
+    Grids { normals: normals.numbers()?, ..Grids::new(&nets, &lists, points.numbers()?) }.fill(
+        py,
+        4 * cost,
+        &|part| {
+            spline.grid_into(&part.lists, part.points)?;
+            spline.normal_grid_into(&part.lists, part.normals)
+        },
     )?;
     (points.array(), normals.array()).into_bound_py_any(py)
 }
@@ -175,8 +239,8 @@ fn require_alike<'a>(forms: &[&'a Form], lists: &[&[f64]]) -> pforms_kernel::Res
     Ok(first)
 }
 
-/// The parameters of one axis of a grid: a list, or a count of equal steps.
-fn line<'py>(given: &Bound<'py, PyAny>) -> PyResult<Numbers<'py>> {
+/// The parameters of one axis of a grid: a list, or a count of equal steps through the window.
+fn line<'py>(given: &Bound<'py, PyAny>, (from, to): (f64, f64)) -> PyResult<Numbers<'py>> {
     if !given.is_instance_of::<PyInt>() {
         let numbers = Numbers::read("parameters", given)?;
         match numbers.shape() {
@@ -194,5 +258,9 @@ fn line<'py>(given: &Bound<'py, PyAny>) -> PyResult<Numbers<'py>> {
     let count = whole("parameters", given)?;
     limit::check::<f64>("the grid", &[count], 1).map_err(|error| raised(&error))?;
     let last = count.saturating_sub(1).max(1) as f64;
-    Ok((0..count).map(|i| i as f64 / last).collect::<Vec<f64>>().into())
+    let at = |i: usize| match i as f64 / last {
+        1.0 => to,
+        share => from + share * (to - from),
+    };
+    Ok((0..count).map(at).collect::<Vec<f64>>().into())
 }

@@ -39,6 +39,7 @@ mod slices;
 mod spanning;
 mod spline;
 mod spline_methods;
+mod spline_operators;
 mod splining;
 mod tessellating;
 mod transforming;

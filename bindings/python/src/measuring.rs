@@ -3,7 +3,7 @@
 use numpy::PyArrayDyn;
 use pforms_kernel::{Error, Form, Result};
 use pforms_operators::{
-    self as operators, Curvature, CurveFrame, FrameKind, SurfaceCurvature, SurfaceFrame,
+    self as operators, Curvature, CurveFrame, FrameKind, Spline, SurfaceCurvature, SurfaceFrame,
     VolumeFrame,
 };
 use pyo3::prelude::*;
@@ -57,23 +57,7 @@ impl PyForm {
         v: &Bound<'py, PyAny>,
         out: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
-        let parameters = Parameters::read([u.clone(), v.clone()])?;
-        let (py, cost) = (u.py(), 4 * self.form.homogeneous().len());
-        let (form, shape) = (&self.form, parameters.shape());
-        if let Some(lists) = parameters.grid() {
-            let lists: Vec<&[f64]> = lists.iter().map(AsRef::as_ref).collect();
-            return filled(py, shape, Some(3), out, |normals| {
-                Grids::new(&[form], &lists, normals).fill(py, cost, &|part| {
-                    operators::normal_grid_into(form, &part.lists, part.points)
-                })
-            });
-        }
-        let points = parameters.scattered();
-        filled(py, shape, Some(3), out, |normals| {
-            fill_scattered(py, &points, cost, normals, &|lists: &[&[f64]], part: &mut [f64]| {
-                operators::normals_into(form, lists, part)
-            })
-        })
+        normals(&self.form, u, v, out)
     }
 
     /// The moving frame at parameters: a :class:`Frame` of named arrays.
@@ -119,20 +103,7 @@ impl PyForm {
         unit: Option<&Bound<'py, PyAny>>,
         accuracy: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        let kind = match kind.map(|kind| word("kind", kind, &KINDS)).transpose()? {
-            Some("rotation-minimising") => FrameKind::RotationMinimising,
-            Some("tangent") => FrameKind::Tangent,
-            _ => FrameKind::Frenet,
-        };
-        let unit = unit.map_or(Ok(true), |unit| truth("unit", unit))?;
-        let accuracy = accuracy.map_or(Ok(ACCURACY), |accuracy| real("accuracy", accuracy))?;
-        if accuracy.is_nan() || accuracy <= 0.0 {
-            return fail(&Error::domain("accuracy", accuracy, "a positive angle"));
-        }
-        let carried = kind == FrameKind::RotationMinimising && self.form.axes() == 1;
-        let question = Question { form: &self.form, kind, unit, accuracy };
-        self.columns(parameters, carried, |lists, columns| question.answer(lists, columns))?
-            .into_frame(parameters.py())
+        frame(&self.form, parameters, kind, unit, accuracy)
     }
 
     /// The curvature: an array for a curve; ``gauss``, ``mean``, ``principal`` for a surface.
@@ -149,65 +120,209 @@ impl PyForm {
     /// -4.0
     #[pyo3(signature = (*parameters))]
     fn curvature<'py>(&self, parameters: &Bound<'py, PyTuple>) -> PyResult<Bound<'py, PyAny>> {
-        let columns = self.columns(parameters, false, |lists, columns| {
-            for i in 0..lists.first().map_or(0, |list| list.len()) {
-                let at: Vec<f64> = lists.iter().map(|list| list[i]).collect();
-                match operators::curvature(&self.form, &at)? {
-                    Curvature::Curve { curvature, .. } => columns.number("curvature", curvature),
-                    Curvature::Surface(curvature) => bends(&curvature, columns),
-                }
-            }
-            Ok(())
-        })?;
-        if self.form.axes() == 1 {
-            return Ok(columns.into_numbers(parameters.py())?.into_any());
-        }
-        columns.into_frame(parameters.py())
+        curvature(&self.form, parameters)
     }
 }
 
 /// The default of rotation-minimising frames: far below what can be seen, far above rounding.
 const ACCURACY: f64 = 1e-10;
 
-impl PyForm {
-    /// Columns of numbers, filled slice after slice without the lock.
-    ///
-    /// What is `carried` from one parameter to the next comes in slices that go all the way, each
-    /// with every n-th parameter.
-    fn columns(
-        &self,
-        parameters: &Bound<'_, PyTuple>,
-        carried: bool,
-        mut fill: impl FnMut(&[&[f64]], &mut Columns) -> Result<()> + Send,
-    ) -> PyResult<Columns> {
-        let (py, read) = (parameters.py(), Parameters::read(parameters)?);
-        if self.form.axes() == 0 {
-            return fail(&Error::shape("form", "a point", "a form with at least one axis"));
-        }
-        // Without parameters, the names and widths are those somewhere.
-        let (count, given) = (read.count().max(1), read.scattered().whole());
-        let list = |list| if read.count() == 0 { &[SOMEWHERE][..] } else { list };
-        let lists: Vec<&[f64]> = given.iter().map(|given| list(given)).collect();
-        let cost = 100 * self.form.homogeneous().len();
-        let stride = if carried { count.div_ceil(slice_of(cost).max(LONG)) } else { 1 };
-        let (slices, cost) = if carried { (stride, SLICE) } else { (count, cost) };
-        let mut columns = Columns::new(read.shape());
-        in_slices(py, slices, cost, |range| {
-            let chosen = if carried { range.start..count } else { range };
-            let part = |list: &&[f64]| chosen.clone().step_by(stride).map(|i| list[i]).collect();
-            let part: Vec<Vec<f64>> = lists.iter().map(part).collect();
-            let part: Vec<&[f64]> = part.iter().map(Vec::as_slice).collect();
-            self.form.require_per_axis("parameters", &part)?;
-            fill(&part, &mut columns)
-        })?;
-        if stride > 1 {
-            columns.rearrange(&strided(count, stride));
-        }
-        if read.count() == 0 {
-            columns.clear();
-        }
-        Ok(columns)
+/// What has frames: a form, or a spline.
+pub(crate) trait Bending: Sync {
+    /// The poles, by which axes and cost are told.
+    fn net(&self) -> &Form;
+
+    fn curve_frames(&self, list: &[f64], kind: FrameKind, accuracy: f64)
+    -> Result<Vec<CurveFrame>>;
+
+    fn surface_frame(&self, u: f64, v: f64) -> Result<SurfaceFrame>;
+
+    fn volume_frame(&self, at: &[f64]) -> Result<VolumeFrame>;
+
+    fn curvature(&self, at: &[f64]) -> Result<Curvature>;
+
+    fn normals_into(&self, lists: &[&[f64]], out: &mut [f64]) -> Result<()>;
+
+    fn normal_grid_into(&self, lists: &[&[f64]], out: &mut [f64]) -> Result<()>;
+}
+
+impl Bending for Form {
+    fn net(&self) -> &Form {
+        self
     }
+
+    fn curve_frames(
+        &self,
+        list: &[f64],
+        kind: FrameKind,
+        accuracy: f64,
+    ) -> Result<Vec<CurveFrame>> {
+        operators::curve_frames(self, list, kind, accuracy)
+    }
+
+    fn surface_frame(&self, u: f64, v: f64) -> Result<SurfaceFrame> {
+        operators::surface_frame(self, u, v)
+    }
+
+    fn volume_frame(&self, at: &[f64]) -> Result<VolumeFrame> {
+        operators::volume_frame(self, at)
+    }
+
+    fn curvature(&self, at: &[f64]) -> Result<Curvature> {
+        operators::curvature(self, at)
+    }
+
+    fn normals_into(&self, lists: &[&[f64]], out: &mut [f64]) -> Result<()> {
+        operators::normals_into(self, lists, out)
+    }
+
+    fn normal_grid_into(&self, lists: &[&[f64]], out: &mut [f64]) -> Result<()> {
+        operators::normal_grid_into(self, lists, out)
+    }
+}
+
+impl Bending for Spline {
+    fn net(&self) -> &Form {
+        Self::net(self)
+    }
+
+    fn curve_frames(
+        &self,
+        list: &[f64],
+        kind: FrameKind,
+        accuracy: f64,
+    ) -> Result<Vec<CurveFrame>> {
+        Self::curve_frames(self, list, kind, accuracy)
+    }
+
+    fn surface_frame(&self, u: f64, v: f64) -> Result<SurfaceFrame> {
+        Self::surface_frame(self, u, v)
+    }
+
+    fn volume_frame(&self, at: &[f64]) -> Result<VolumeFrame> {
+        Self::volume_frame(self, at)
+    }
+
+    fn curvature(&self, at: &[f64]) -> Result<Curvature> {
+        Self::curvature(self, at)
+    }
+
+    fn normals_into(&self, lists: &[&[f64]], out: &mut [f64]) -> Result<()> {
+        Self::normals_into(self, lists, out)
+    }
+
+    fn normal_grid_into(&self, lists: &[&[f64]], out: &mut [f64]) -> Result<()> {
+        Self::normal_grid_into(self, lists, out)
+    }
+}
+
+/// Unit normals of a surface at broadcast parameters.
+pub(crate) fn normals<'py>(
+    subject: &impl Bending,
+    u: &Bound<'py, PyAny>,
+    v: &Bound<'py, PyAny>,
+    out: Option<&Bound<'py, PyAny>>,
+) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
+    let parameters = Parameters::read([u.clone(), v.clone()])?;
+    let (py, cost) = (u.py(), 4 * subject.net().homogeneous().len());
+    let shape = parameters.shape();
+    if let Some(lists) = parameters.grid() {
+        let lists: Vec<&[f64]> = lists.iter().map(AsRef::as_ref).collect();
+        return filled(py, shape, Some(3), out, |normals| {
+            Grids::new(&[subject.net()], &lists, normals)
+                .fill(py, cost, &|part| subject.normal_grid_into(&part.lists, part.points))
+        });
+    }
+    let points = parameters.scattered();
+    filled(py, shape, Some(3), out, |normals| {
+        fill_scattered(py, &points, cost, normals, &|lists: &[&[f64]], part: &mut [f64]| {
+            subject.normals_into(lists, part)
+        })
+    })
+}
+
+/// The moving frame at broadcast parameters.
+pub(crate) fn frame<'py>(
+    subject: &impl Bending,
+    parameters: &Bound<'py, PyTuple>,
+    kind: Option<&Bound<'py, PyAny>>,
+    unit: Option<&Bound<'py, PyAny>>,
+    accuracy: Option<&Bound<'py, PyAny>>,
+) -> PyResult<Bound<'py, PyAny>> {
+    let kind = match kind.map(|kind| word("kind", kind, &KINDS)).transpose()? {
+        Some("rotation-minimising") => FrameKind::RotationMinimising,
+        Some("tangent") => FrameKind::Tangent,
+        _ => FrameKind::Frenet,
+    };
+    let unit = unit.map_or(Ok(true), |unit| truth("unit", unit))?;
+    let accuracy = accuracy.map_or(Ok(ACCURACY), |accuracy| real("accuracy", accuracy))?;
+    if accuracy.is_nan() || accuracy <= 0.0 {
+        return fail(&Error::domain("accuracy", accuracy, "a positive angle"));
+    }
+    let carried = kind == FrameKind::RotationMinimising && subject.net().axes() == 1;
+    let question = Question { subject, kind, unit, accuracy };
+    columns(subject.net(), parameters, carried, |lists, columns| question.answer(lists, columns))?
+        .into_frame(parameters.py())
+}
+
+/// The curvature at broadcast parameters.
+pub(crate) fn curvature<'py>(
+    subject: &impl Bending,
+    parameters: &Bound<'py, PyTuple>,
+) -> PyResult<Bound<'py, PyAny>> {
+    let columns = columns(subject.net(), parameters, false, |lists, columns| {
+        for i in 0..lists.first().map_or(0, |list| list.len()) {
+            let at: Vec<f64> = lists.iter().map(|list| list[i]).collect();
+            match subject.curvature(&at)? {
+                Curvature::Curve { curvature, .. } => columns.number("curvature", curvature),
+                Curvature::Surface(curvature) => bends(&curvature, columns),
+            }
+        }
+        Ok(())
+    })?;
+    if subject.net().axes() == 1 {
+        return Ok(columns.into_numbers(parameters.py())?.into_any());
+    }
+    columns.into_frame(parameters.py())
+}
+
+/// Columns of numbers, filled slice after slice without the lock.
+///
+/// What is `carried` from one parameter to the next comes in slices that go all the way, each with
+/// every n-th parameter.
+fn columns(
+    form: &Form,
+    parameters: &Bound<'_, PyTuple>,
+    carried: bool,
+    mut fill: impl FnMut(&[&[f64]], &mut Columns) -> Result<()> + Send,
+) -> PyResult<Columns> {
+    let (py, read) = (parameters.py(), Parameters::read(parameters)?);
+    if form.axes() == 0 {
+        return fail(&Error::shape("form", "a point", "a form with at least one axis"));
+    }
+    // Without parameters, the names and widths are those somewhere.
+    let (count, given) = (read.count().max(1), read.scattered().whole());
+    let list = |list| if read.count() == 0 { &[SOMEWHERE][..] } else { list };
+    let lists: Vec<&[f64]> = given.iter().map(|given| list(given)).collect();
+    let cost = 100 * form.homogeneous().len();
+    let stride = if carried { count.div_ceil(slice_of(cost).max(LONG)) } else { 1 };
+    let (slices, cost) = if carried { (stride, SLICE) } else { (count, cost) };
+    let mut columns = Columns::new(read.shape());
+    in_slices(py, slices, cost, |range| {
+        let chosen = if carried { range.start..count } else { range };
+        let part = |list: &&[f64]| chosen.clone().step_by(stride).map(|i| list[i]).collect();
+        let part: Vec<Vec<f64>> = lists.iter().map(part).collect();
+        let part: Vec<&[f64]> = part.iter().map(Vec::as_slice).collect();
+        form.require_per_axis("parameters", &part)?;
+        fill(&part, &mut columns)
+    })?;
+    if stride > 1 {
+        columns.rearrange(&strided(count, stride));
+    }
+    if read.count() == 0 {
+        columns.clear();
+    }
+    Ok(columns)
 }
 
 /// Parameters that are worth going all the way for.
@@ -222,25 +337,25 @@ fn strided(count: usize, stride: usize) -> Vec<usize> {
 }
 
 /// What is asked about a frame.
-struct Question<'a> {
-    form: &'a Form,
+struct Question<'a, B> {
+    subject: &'a B,
     kind: FrameKind,
     unit: bool,
     accuracy: f64,
 }
 
-impl Question<'_> {
+impl<B: Bending> Question<'_, B> {
     fn answer(&self, lists: &[&[f64]], columns: &mut Columns) -> Result<()> {
         match *lists {
             [list] => self.curve(list, columns),
             [us, vs] => us.iter().zip(vs).try_for_each(|(u, v)| {
-                let frame = operators::surface_frame(self.form, *u, *v)?;
+                let frame = self.subject.surface_frame(*u, *v)?;
                 surface(&if self.unit { frame } else { frame.unnormalised() }, columns);
                 Ok(())
             }),
             _ => (0..lists[0].len()).try_for_each(|i| {
                 let at: Vec<f64> = lists.iter().map(|list| list[i]).collect();
-                let frame = operators::volume_frame(self.form, &at)?;
+                let frame = self.subject.volume_frame(&at)?;
                 volume(&if self.unit { frame } else { frame.unnormalised() }, columns);
                 Ok(())
             }),
@@ -248,7 +363,7 @@ impl Question<'_> {
     }
 
     fn curve(&self, list: &[f64], columns: &mut Columns) -> Result<()> {
-        for frame in operators::curve_frames(self.form, list, self.kind, self.accuracy)? {
+        for frame in self.subject.curve_frames(list, self.kind, self.accuracy)? {
             let frame = if self.unit { frame } else { frame.unnormalised(self.kind) };
             let CurveFrame { point, tangent, normal, binormal, speed, curvature, torsion, .. } =
                 frame;

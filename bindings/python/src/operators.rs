@@ -356,7 +356,7 @@ impl PyForm {
 }
 
 /// Differentiating a quotient adds a degree of the weight each time: this refuses in time.
-fn check_derivative(form: &Form, orders: &[usize]) -> PyResult<()> {
+pub(crate) fn check_derivative(form: &Form, orders: &[usize]) -> PyResult<()> {
     let steps = orders.iter().fold(0_usize, |sum, order| sum.saturating_add(*order));
     if !form.is_rational() || steps == 0 {
         return Ok(());

@@ -1,8 +1,8 @@
 //! Nearest points of a form.
 
 use numpy::{PyArray1, PyArrayMethods};
-use pforms_kernel::Error;
-use pforms_operators::{Projection, Projector};
+use pforms_kernel::{Error, Form, Result};
+use pforms_operators::{Projection, Projector, SplineProjector};
 use pyo3::intern;
 use pyo3::prelude::*;
 
@@ -12,6 +12,7 @@ use crate::errors::{done, fail};
 use crate::form::PyForm;
 use crate::outputs::array;
 use crate::slices::in_slices;
+use crate::spline::PySpline;
 
 #[pymethods]
 impl PyForm {
@@ -57,26 +58,61 @@ impl PyForm {
         points: &Bound<'py, PyAny>,
         accuracy: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        let py = points.py();
-        let points = Numbers::read("points", points)?;
-        let accuracy = accuracy.map_or(Ok(ACCURACY), |given| real("accuracy", given))?;
-        let ambient = self.form.ambient();
-        let Some((_, shape)) = points.shape().split_last().filter(|(last, _)| **last == ambient)
-        else {
-            let received = format!("an array of shape {:?}", points.shape());
-            return fail(&Error::shape("points", received, format!("shape (…, {ambient})")));
-        };
-        let cost = PREPARATION * self.form.homogeneous().len();
-        let projector = done(py, cost, || Projector::new(&self.form, accuracy))?;
-        let mut found = Projection::default();
-        let values = points.values();
-        in_slices(py, values.len() / ambient, COST, |range| {
-            let part = &values[range.start * ambient..range.end * ambient];
-            found.extend(projector.project(part)?);
-            Ok(())
-        })?;
-        record(py, shape, &self.form, found)
+        projected(&self.form, points, accuracy, |accuracy| {
+            let projector = Projector::new(&self.form, accuracy)?;
+            Ok(move |part: &[f64]| projector.project(part))
+        })
     }
+}
+
+#[pymethods]
+impl PySpline {
+    /// The nearest points of the spline to some points, with the proof that they are.
+    ///
+    /// As :meth:`Form.project`, over the window of the spline: the nearest of the feet on its
+    /// pieces, and the gap counts them all.
+    ///
+    /// >>> curve = pf.Spline([(0, 0), (2, 0), (2, 2), (0, 2)], 1, [0, 0, 1, 2, 3, 3])
+    /// >>> foot = curve.project((3, 1))
+    /// >>> foot.parameters, foot.points, foot.unique.item()
+    /// (array([1.5]), array([2., 1.]), True)
+    #[pyo3(signature = (points, *, accuracy=None), text_signature = "($self, points, *, accuracy=1e-12)")]
+    fn project<'py>(
+        &self,
+        points: &Bound<'py, PyAny>,
+        accuracy: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        projected(self.spline.net(), points, accuracy, |accuracy| {
+            let projector = SplineProjector::new(&self.spline, accuracy)?;
+            Ok(move |part: &[f64]| projector.project(part))
+        })
+    }
+}
+
+/// Makes a projector ready and answers for all points.
+fn projected<'py, P: Fn(&[f64]) -> Result<Projection> + Send + Sync>(
+    net: &Form,
+    points: &Bound<'py, PyAny>,
+    accuracy: Option<&Bound<'py, PyAny>>,
+    ready: impl FnOnce(f64) -> Result<P> + Send,
+) -> PyResult<Bound<'py, PyAny>> {
+    let py = points.py();
+    let points = Numbers::read("points", points)?;
+    let accuracy = accuracy.map_or(Ok(ACCURACY), |given| real("accuracy", given))?;
+    let ambient = net.ambient();
+    let Some((_, shape)) = points.shape().split_last().filter(|(last, _)| **last == ambient) else {
+        let received = format!("an array of shape {:?}", points.shape());
+        return fail(&Error::shape("points", received, format!("shape (…, {ambient})")));
+    };
+    let cost = PREPARATION * net.homogeneous().len();
+    let project = done(py, cost, || ready(accuracy))?;
+    let mut found = Projection::default();
+    let values = points.values();
+    in_slices(py, values.len() / ambient, COST, |range| {
+        found.extend(project(&values[range.start * ambient..range.end * ambient])?);
+        Ok(())
+    })?;
+    record(py, shape, net, found)
 }
 
 /// The default: far below what anything is built to, far above rounding.
@@ -92,7 +128,7 @@ const PREPARATION: usize = 1 << 10;
 fn record<'py>(
     py: Python<'py>,
     shape: &[usize],
-    form: &pforms_kernel::Form,
+    form: &Form,
     found: Projection,
 ) -> PyResult<Bound<'py, PyAny>> {
     let wide = |width: usize| -> Vec<usize> { shape.iter().copied().chain([width]).collect() };

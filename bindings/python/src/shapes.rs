@@ -26,7 +26,7 @@ pub(crate) fn read(argument: &str, object: &Bound<'_, PyAny>) -> PyResult<Shape>
     }
 }
 
-/// Forms and splines given one by one, or all in a list.
+/// Forms, splines and arrays of poles given one by one, or all in a list.
 pub(crate) fn read_several(argument: &str, given: &Bound<'_, PyTuple>) -> PyResult<Vec<Shape>> {
     let single = given.get_item(0).ok().filter(|_| given.len() == 1);
     match single.filter(|item| item.is_instance_of::<PyList>() || item.is_instance_of::<PyTuple>())
@@ -34,6 +34,41 @@ pub(crate) fn read_several(argument: &str, given: &Bound<'_, PyTuple>) -> PyResu
         Some(list) => list.try_iter()?.map(|item| read(argument, &item?)).collect(),
         None => given.iter().map(|item| read(argument, &item)).collect(),
     }
+}
+
+/// Forms and splines given one by one, or all in a list.
+///
+/// Errors: `ArgumentError` for anything else.
+pub(crate) fn several(argument: &str, given: &Bound<'_, PyTuple>) -> PyResult<Vec<Shape>> {
+    if given.len() == 1 {
+        return list(argument, &given.get_item(0)?);
+    }
+    given.iter().map(|item| one(argument, &item)).collect()
+}
+
+/// The forms and splines of a list; a single one stands for a list of one.
+///
+/// Errors: `ArgumentError` for anything else.
+pub(crate) fn list(argument: &str, object: &Bound<'_, PyAny>) -> PyResult<Vec<Shape>> {
+    if is_shape(object) {
+        return Ok(vec![one(argument, object)?]);
+    }
+    let Ok(items) = object.try_iter() else {
+        return Err(mistyped(argument, object, "a list of forms"));
+    };
+    items.map(|item| one(argument, &item?)).collect()
+}
+
+/// Is it a form or a spline?
+pub(crate) fn is_shape(object: &Bound<'_, PyAny>) -> bool {
+    object.is_instance_of::<PyForm>() || object.is_instance_of::<PySpline>()
+}
+
+fn one(argument: &str, object: &Bound<'_, PyAny>) -> PyResult<Shape> {
+    if is_shape(object) {
+        return read(argument, object);
+    }
+    Err(mistyped(argument, object, "a pforms.Form or a pforms.Spline"))
 }
 
 /// The Python object of a form or of a spline.

@@ -4,13 +4,14 @@ use numpy::PyArrayDyn;
 use pforms_kernel::{Error, Form};
 use pforms_operators::{Poles, Spline};
 use pyo3::prelude::*;
-use pyo3::types::{PyIterator, PyList, PyTuple};
+use pyo3::types::{PyIterator, PyList, PyTuple, PyType};
 
-use crate::arguments::wholes;
+use crate::arguments::{reals, whole, wholes};
 use crate::arrays::Numbers;
 use crate::errors::{done, fail, mistyped, raised};
-use crate::evaluation::points;
-use crate::form::{PyForm, from_homogeneous};
+use crate::evaluation::{derivative_orders, points};
+use crate::form::{PyForm, from_homogeneous, poles};
+use crate::forms::Forms;
 use crate::immersed::spline_immersed;
 use crate::outputs::array;
 use crate::shapes;
@@ -72,6 +73,61 @@ impl PySpline {
         Spline::new(net, &degrees, knots).map(Self::from).map_err(|error| raised(&error))
     }
 
+    /// A spline from homogeneous poles, the weight last and multiplied in.
+    ///
+    /// Raises ShapeError and DomainError as the constructor.
+    ///
+    /// >>> pf.Spline.from_homogeneous([(1, 0, 1), (1, 1, 2), (0, 1, 1)], 1, [0, 0, 1, 2, 2])
+    /// <pforms.Spline of 2 pieces pL2 in 2D, rational>
+    #[classmethod]
+    fn from_homogeneous(
+        _class: &Bound<'_, PyType>,
+        array: &Bound<'_, PyAny>,
+        degrees: &Bound<'_, PyAny>,
+        knots: &Bound<'_, PyAny>,
+    ) -> PyResult<Self> {
+        let net = from_homogeneous("array", &Numbers::read("array", array)?);
+        let net: Form = net.map_err(|error| raised(&error))?;
+        let degrees = wholes("degrees", degrees, net.axes())?;
+        let knots = knot_lists(knots, net.axes())?;
+        Spline::new(net, &degrees, knots).map(Self::from).map_err(|error| raised(&error))
+    }
+
+    /// Forms laid end to end along ``axis``, from break to break.
+    ///
+    /// Degrees that differ are raised. Where the end of a form is the beginning of the next they
+    /// share poles (weights are scaled to agree), elsewhere the spline has a gap. Without breaks
+    /// these are 0, 1, 2, …
+    ///
+    /// Raises
+    /// ------
+    /// ShapeError, DomainError
+    ///     Without forms, when their axes or spaces differ, unless there is one break more than
+    ///     forms, and unless the breaks grow.
+    ///
+    /// Examples
+    /// --------
+    /// >>> a, b = pf.Form([(0, 0), (1, 2), (2, 0)]), pf.Form([(2, 0), (4, 0)])
+    /// >>> pf.Spline.end_to_end([a, b]).knots
+    /// (array([0., 0., 0., 1., 1., 2., 2., 2.]),)
+    #[classmethod]
+    #[pyo3(signature = (forms, breaks=None, axis=None), text_signature = "(forms, breaks=None, axis=0)")]
+    fn end_to_end(
+        _class: &Bound<'_, PyType>,
+        forms: &Bound<'_, PyAny>,
+        breaks: Option<&Bound<'_, PyAny>>,
+        axis: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<Self> {
+        let list = Forms::read("forms", forms)?.cloned();
+        let breaks = match breaks {
+            Some(breaks) => reals("breaks", breaks, 1)?,
+            None => (0..=list.len()).map(|i| i as f64).collect(),
+        };
+        let axis = axis.map_or(Ok(0), |axis| whole("axis", axis))?;
+        let cost = list.iter().map(|form| form.homogeneous().len()).sum();
+        done(forms.py(), cost, || Spline::end_to_end(&list, axis, &breaks)).map(Self::from)
+    }
+
     /// The knots of each axis.
     ///
     /// >>> pf.Spline([(0,), (1,), (3,)], 1, [0, 0, 1, 2, 2]).knots
@@ -93,6 +149,62 @@ impl PySpline {
     #[getter]
     fn homogeneous<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
         view(&Bound::new(py, self.net())?)
+    }
+
+    /// The euclidean poles, a new array of shape (n1, …, nd, c); directions where the weight is 0.
+    ///
+    /// >>> pf.Form([(0,), (2,)]).subdivide(1).poles[:, 0]
+    /// array([0., 1., 2.])
+    #[getter]
+    fn poles<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
+        poles(py, self.spline.net())
+    }
+
+    /// The weights, a new array of shape (n1, …, nd).
+    ///
+    /// >>> pf.Form([(0,), (2,)]).subdivide(1).weights
+    /// array([1., 1., 1.])
+    #[getter]
+    fn weights<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
+        array(py, self.spline.net().orders(), self.spline.net().weights())
+    }
+
+    /// Number of poles along each axis, those of all pieces.
+    ///
+    /// >>> pf.Form([(0, 0), (1, 2), (2, 0)]).subdivide(1).orders
+    /// (5,)
+    #[getter]
+    fn orders<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyTuple>> {
+        PyTuple::new(py, self.spline.net().orders())
+    }
+
+    /// The kind of its pieces, in the notation of the book.
+    ///
+    /// >>> pf.Form([(0, 0), (1, 2), (2, 0)]).subdivide(1).kind
+    /// 'pL3'
+    #[getter]
+    fn kind(&self) -> String {
+        self.piece_kind()
+    }
+
+    /// Do the weights differ?
+    ///
+    /// >>> pf.Form([(0, 0), (1, 2)]).subdivide(1).is_rational
+    /// False
+    #[getter]
+    fn is_rational(&self) -> bool {
+        self.spline.net().is_rational()
+    }
+
+    /// Where the parameter of each axis begins and ends.
+    ///
+    /// >>> pf.Spline([(0,), (1,), (3,)], 1, [0, 1, 2, 3, 4]).window
+    /// ((1.0, 3.0),)
+    #[getter]
+    fn window<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyTuple>> {
+        let windows = (0..self.spline.axes()).map(|axis| self.spline.window(axis));
+        let windows = windows.collect::<pforms_kernel::Result<Vec<_>>>();
+        PyTuple::new(py, windows.map_err(|error| raised(&error))?)
     }
 
     /// The poles as a form: the control net, not the same points.
@@ -164,6 +276,14 @@ impl PySpline {
 
     /// Points at broadcast parameters, as :meth:`Form.__call__`; of a form or a spline in its
     /// parameter space the immersion, see :func:`immerse`.
+    ///
+    /// Each piece counts from its break up to the next; outside the window the outermost go on.
+    ///
+    /// >>> curve = pf.Spline([(0, 0), (0, 2), (2, 2), (2, 0)], 2, [0, 1, 2, 3, 4, 5, 6])
+    /// >>> curve([2, 3, 4])
+    /// array([[0., 1.],
+    ///        [1., 2.],
+    ///        [2., 1.]])
     #[pyo3(signature = (*parameters))]
     fn __call__<'py>(
         this: &Bound<'py, Self>,
@@ -177,6 +297,23 @@ impl PySpline {
         points(&this.get().spline, parameters, None, None).map(Bound::into_any)
     }
 
+    /// Points or derivatives at parameters, as :meth:`Form.evaluate`.
+    ///
+    /// >>> curve = pf.Form([(0, 0), (1, 2), (2, 0)]).subdivide(1)
+    /// >>> curve.evaluate([0.25, 0.75], derivative=1)
+    /// array([[ 2.,  2.],
+    ///        [ 2., -2.]])
+    #[pyo3(signature = (*parameters, derivative=None, out=None))]
+    fn evaluate<'py>(
+        &self,
+        parameters: &Bound<'py, PyTuple>,
+        derivative: Option<&Bound<'py, PyAny>>,
+        out: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
+        let orders = derivative.map(|d| derivative_orders(d, self.spline.net())).transpose()?;
+        points(&self.spline, parameters, orders.as_deref(), out)
+    }
+
     fn __iter__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyIterator>> {
         self.pieces(py)?.try_iter()
     }
@@ -187,12 +324,14 @@ impl PySpline {
 
     fn __repr__(&self) -> String {
         let counts: Vec<String> = self.spline.counts().iter().map(usize::to_string).collect();
-        let orders: Vec<usize> = self.spline.degrees().iter().map(|degree| degree + 1).collect();
+        let one = self.spline.counts().iter().all(|count| *count == 1);
+        let rational = if self.is_rational() { ", rational" } else { "" };
         format!(
-            "<pforms.Spline of {} pieces {} in {}D>",
-            if counts.is_empty() { "1".to_owned() } else { counts.join("×") },
-            pforms_kernel::Kind::new(&orders),
-            self.spline.net().ambient()
+            "<pforms.Spline of {} {} {} in {}D{rational}>",
+            if one { "1".to_owned() } else { counts.join("×") },
+            if one { "piece" } else { "pieces" },
+            self.piece_kind(),
+            self.spline.ambient()
         )
     }
 
@@ -200,22 +339,32 @@ impl PySpline {
         self.spline == other.spline
     }
 
+    fn __copy__(slf: PyRef<'_, Self>) -> PyRef<'_, Self> {
+        slf
+    }
+
+    fn __deepcopy__<'py>(slf: PyRef<'py, Self>, _memo: &Bound<'py, PyAny>) -> PyRef<'py, Self> {
+        slf
+    }
+
     fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, Restored<'py>)> {
-        let make = py.get_type::<Self>().getattr("_restore")?;
+        let make = py.get_type::<Self>().getattr("from_homogeneous")?;
         let knots = self.spline.knots().iter().map(|knots| knots.as_slice().to_vec());
         Ok((make, (self.homogeneous(py)?, self.spline.degrees(), knots.collect())))
     }
+}
 
-    #[staticmethod]
-    #[allow(clippy::needless_pass_by_value, reason = "arguments come from Python by value")]
-    fn _restore(
-        net: &Bound<'_, PyAny>,
-        degrees: Vec<usize>,
-        knots: Vec<Vec<f64>>,
-    ) -> PyResult<Self> {
-        let net: Form =
-            from_homogeneous("net", &Numbers::read("net", net)?).map_err(|e| raised(&e))?;
-        Spline::new(net, &degrees, knots).map(Self::from).map_err(|error| raised(&error))
+impl PySpline {
+    fn piece_kind(&self) -> String {
+        let orders: Vec<usize> = self.spline.degrees().iter().map(|degree| degree + 1).collect();
+        pforms_kernel::Kind::new(&orders).to_string()
+    }
+
+    /// About how many multiplications an operator that passes once over each axis takes.
+    pub(crate) fn cost(&self) -> usize {
+        let degrees = self.spline.degrees().into_iter();
+        let numbers = self.spline.net().homogeneous().len();
+        degrees.fold(numbers, |cost, degree| cost.saturating_mul(degree + 1))
     }
 }
 

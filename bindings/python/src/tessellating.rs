@@ -1,16 +1,16 @@
 //! Forms as triangles and lines in arrays.
 
 use numpy::{PyArray1, PyArrayMethods};
-use pforms_kernel::{Error, Form, Result};
-use pforms_mesh::{Curve, Sampling, Triangles, curve, envelope, facets, surfaces};
+use pforms_kernel::{Error, Result};
+use pforms_mesh::{Curve, Sampling, Triangles, chain, curve, envelope, facets, patches, surfaces};
+use pforms_operators::{Poles, Shape};
 use pyo3::intern;
 use pyo3::prelude::*;
 use pyo3::types::PyList;
 
 use crate::arguments::{level, real, truth, wholes};
 use crate::errors::{ArgumentError, done, fail};
-use crate::form::PyForm;
-use crate::forms::Forms;
+use crate::shapes;
 
 /// Forms as triangles, within a tolerance or in equal cells.
 ///
@@ -22,9 +22,10 @@ use crate::forms::Forms;
 ///
 /// Parameters
 /// ----------
-/// forms : Form or sequence of Form
+/// forms : Form, Spline or sequence of them
 ///     Curves, surfaces and volumes in any dimension; of more than three coordinates the first
-///     three are taken.
+///     three are taken. A spline becomes one mesh of all its pieces, or one line; the sampling
+///     counts for each piece.
 /// tolerance : float, optional
 ///     No point of the form is farther from its mesh than this, in the units of the form. It is
 ///     proven for every point, not sampled, and the triangles are few: small where the surface
@@ -77,19 +78,18 @@ pub(crate) fn tessellate<'py>(
     joined: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Bound<'py, PyAny>> {
     let py = forms.py();
-    let list = Forms::read("forms", forms)?;
+    let list = shapes::list("forms", forms)?;
     let sampling = sampling(tolerance, segments, fineness)?;
     let wish =
         |name, object: Option<_>, usual| object.map_or(Ok(usual), |given| truth(name, given));
     let (normals, joined) = (wish("normals", normals, true)?, wish("joined", joined, false)?);
-    let refs = list.refs();
-    let shapes = done(py, usize::MAX, || shapes(&refs, &sampling, normals))?;
+    let drawn = done(py, usize::MAX, || tessellated(&list, &sampling, normals))?;
     if joined {
-        return join(py, shapes);
+        return join(py, drawn);
     }
-    let mut records = shapes.into_iter().map(|shape| shape.record(py));
+    let mut records = drawn.into_iter().map(|one| one.record(py));
     match records.next() {
-        Some(record) if forms.is_instance_of::<PyForm>() => record,
+        Some(record) if shapes::is_shape(forms) => record,
         first => {
             let all: Vec<_> = first.into_iter().chain(records).collect::<PyResult<_>>()?;
             Ok(PyList::new(py, all)?.into_any())
@@ -118,45 +118,52 @@ fn sampling(
 }
 
 /// What a form has become.
-enum Shape {
+enum Drawn {
     Mesh(Triangles),
     Lines(Curve),
 }
 
-/// Tessellates all surfaces and all faces of volumes together.
-fn shapes(forms: &[&Form], sampling: &Sampling, normals: bool) -> Result<Vec<Shape>> {
-    let mut patches = Vec::new();
-    let mut counts = Vec::with_capacity(forms.len());
-    for form in forms {
-        let before = patches.len();
-        match form.axes() {
-            1 => {}
-            2 => patches.push((*form).clone()),
-            3 => {
-                require_one_number(sampling)?;
-                patches.extend(envelope(form)?);
-            }
-            _ => return Err(Error::shape("forms", form.kind(), "curves, surfaces or volumes")),
+/// Tessellates all surfaces, pieces and faces of volumes together.
+fn tessellated(shapes: &[Shape], sampling: &Sampling, normals: bool) -> Result<Vec<Drawn>> {
+    let mut all = Vec::new();
+    let mut counts = Vec::with_capacity(shapes.len());
+    for shape in shapes {
+        let before = all.len();
+        if shape.net().axes() == 3 {
+            require_one_number(sampling)?;
         }
-        counts.push(patches.len() - before);
+        match (shape.net().axes(), shape) {
+            (1, _) => {}
+            (2, Shape::Form(form)) => all.push(form.clone()),
+            (3, Shape::Form(form)) => all.extend(envelope(form)?),
+            (2 | 3, Shape::Spline(spline)) => all.extend(patches(spline)?),
+            _ => {
+                let received = shape.net().kind();
+                return Err(Error::shape("forms", received, "curves, surfaces or volumes"));
+            }
+        }
+        counts.push(all.len() - before);
     }
     let mesh = if normals { surfaces } else { facets };
-    let mut meshes = mesh(&patches, sampling)?.into_iter();
-    let shape = |(form, count): (&&Form, usize)| {
+    let mut meshes = mesh(&all, sampling)?.into_iter();
+    let draw = |(shape, count): (&Shape, usize)| {
         if count == 0 {
-            let mut line = curve(form, sampling)?;
+            let mut line = match shape {
+                Shape::Form(form) => curve(form, sampling)?,
+                Shape::Spline(spline) => chain(spline, sampling)?,
+            };
             if !normals {
                 line.polylines.iter_mut().for_each(|part| part.tangents.clear());
             }
-            return Ok(Shape::Lines(line));
+            return Ok(Drawn::Lines(line));
         }
         let mut whole = meshes.next().unwrap_or_default();
         for face in meshes.by_ref().take(count - 1) {
             whole.append(&face);
         }
-        Ok(Shape::Mesh(whole))
+        Ok(Drawn::Mesh(whole))
     };
-    forms.iter().zip(counts).map(shape).collect()
+    shapes.iter().zip(counts).map(draw).collect()
 }
 
 /// The faces of a volume do not run along its axes in order.
@@ -172,13 +179,13 @@ fn require_one_number(sampling: &Sampling) -> Result<()> {
     Err(Error::shape(name, format!("{count} numbers"), "one number, for a volume"))
 }
 
-fn join(py: Python<'_>, shapes: Vec<Shape>) -> PyResult<Bound<'_, PyAny>> {
+fn join(py: Python<'_>, all: Vec<Drawn>) -> PyResult<Bound<'_, PyAny>> {
     let mut whole = Triangles::default();
-    for shape in shapes {
-        match shape {
-            Shape::Mesh(mesh) if whole.positions.is_empty() => whole = mesh,
-            Shape::Mesh(mesh) => whole.append(&mesh),
-            Shape::Lines(_) => {
+    for one in all {
+        match one {
+            Drawn::Mesh(mesh) if whole.positions.is_empty() => whole = mesh,
+            Drawn::Mesh(mesh) => whole.append(&mesh),
+            Drawn::Lines(_) => {
                 return fail(&Error::shape(
                     "forms",
                     "a curve",
@@ -187,10 +194,10 @@ fn join(py: Python<'_>, shapes: Vec<Shape>) -> PyResult<Bound<'_, PyAny>> {
             }
         }
     }
-    Shape::Mesh(whole).record(py)
+    Drawn::Mesh(whole).record(py)
 }
 
-impl Shape {
+impl Drawn {
     /// The record in Python; its arrays take over what was computed.
     fn record(self, py: Python<'_>) -> PyResult<Bound<'_, PyAny>> {
         let records = py.import(intern!(py, "pforms.records"))?;

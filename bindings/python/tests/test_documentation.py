@@ -9,7 +9,7 @@ import pytest
 
 import pforms as pf
 
-MODULES = ["pforms", "pforms.errors", "pforms.files", "pforms.records"]
+MODULES = ["pforms", "pforms.either", "pforms.errors", "pforms.files", "pforms.records"]
 CLASSES = [pf.Form, pf.Spline, pf.Immersed, pf.Sheet]
 
 

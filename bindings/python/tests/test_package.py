@@ -23,6 +23,7 @@ def test_names_are_there_once_and_in_order():
     assert pf.__all__ == sorted(pf.__all__)
     assert all(hasattr(pf, name) for name in pf.__all__)
     public = {name for name in vars(pf) if not name.startswith("_")} - {
+        "either",
         "errors",
         "files",
         "records",
@@ -70,6 +71,7 @@ print(*sorted(set(sys.modules) - before))
     assert set(run(code).split()) - {"__future__"} == {
         "pforms",
         "pforms._pforms",
+        "pforms.either",
         "pforms.errors",
         "pforms.files",
         "pforms.records",

@@ -3,6 +3,7 @@
 use pforms_formats::{Format, Named, obj, write_scene};
 use pforms_formula::{Address, Range, decimal};
 use pforms_kernel::{Form, Result};
+use pforms_operators::{Knots, Shape};
 use pforms_scene::{Camera, Mode, Scene, Shapes, Style};
 use pforms_sheet::{Settings, Sheet};
 
@@ -71,7 +72,7 @@ fn sheet_of(name: &str, forms: &[Named]) -> Result<Sheet> {
     let cells: Vec<Address> =
         (1..).map_while(|row| Address::new(1, row)).take(forms.len()).collect();
     for (at, named) in cells.iter().zip(forms) {
-        document.set(*at, &literal(&named.form));
+        document.set(*at, &literal(&named.shape));
     }
     if Format::of_name(name) == Ok(Format::Bpt) {
         // Patches of this format describe things that stand on the axis z.
@@ -86,7 +87,7 @@ fn sheet_of(name: &str, forms: &[Named]) -> Result<Sheet> {
         document.set(all, &format!("={}", Range { first: (*first).into(), last: (*last).into() }));
         document.set_show(all, Some(Settings::new()))?;
     } else if let ([only], [named]) = (cells.as_slice(), forms) {
-        document.set_show(*only, Some(usual(&named.form)))?;
+        document.set_show(*only, Some(usual(named.net())))?;
     }
     Sheet::open(&document.save())
 }
@@ -99,7 +100,24 @@ fn usual(form: &Form) -> Settings {
 }
 
 /// The form as the text of a cell: nested lists of points.
-fn literal(form: &Form) -> String {
+fn literal(shape: &Shape) -> String {
+    match shape {
+        Shape::Form(form) => net(form),
+        Shape::Spline(spline) => {
+            let degrees: Vec<String> = spline.degrees().iter().map(usize::to_string).collect();
+            let list = |knots: &Knots| {
+                let numbers: Vec<String> = knots.as_slice().iter().map(|t| decimal(*t)).collect();
+                format!("[{}]", numbers.join(", "))
+            };
+            let knots: Vec<String> = spline.knots().iter().map(list).collect();
+            let (degrees, knots) = (degrees.join(", "), knots.join(", "));
+            format!("=NURBS({}, [{degrees}], [{knots}])", net(spline.net()))
+        }
+    }
+}
+
+/// The poles as nested lists.
+fn net(form: &Form) -> String {
     let mut points: Vec<String> = form.homogeneous().chunks(form.width()).map(point).collect();
     for order in form.orders().iter().rev() {
         points = points.chunks(*order).map(|row| format!("[{}]", row.join(", "))).collect();
@@ -131,9 +149,9 @@ mod tests {
             &[0., 0., 1., 0., 0., 1., 1., 1.5],
             Some(&[1., 1., 0.5, 1.]),
         );
-        assert_eq!(literal(&form.unwrap()), "[[(0, 0), (1, 0)], [(0, 1; 0.5), (1, 1.5)]]");
+        assert_eq!(net(&form.unwrap()), "[[(0, 0), (1, 0)], [(0, 1; 0.5), (1, 1.5)]]");
         let point = Form::from_homogeneous(&[], 1, vec![2.0, 1.0]).unwrap();
-        assert_eq!(literal(&point), "(2,)");
+        assert_eq!(net(&point), "(2,)");
     }
 
     #[test]

@@ -17,7 +17,8 @@ const ROOM: usize = 40;
 const QUOTED: usize = 30;
 
 impl<S: Arithmetic> Value<S> {
-    /// The short text a cell shows: `0.25`, `1/3`, `(1, 2, 3; 0.5)`, `pS33 · 3D · rational`.
+    /// The short text a cell shows: `0.25`, `1/3`, `(1, 2, 3; 0.5)`, `pS33 · 3D · rational`,
+    /// `spline of 4 pL3 · 2D`.
     pub fn display(&self, language: Language) -> String {
         match self {
             Self::Empty => String::new(),
@@ -25,11 +26,8 @@ impl<S: Arithmetic> Value<S> {
             Self::Boolean(value) => boolean(*value, language).to_owned(),
             Self::Text(text) => text.clone(),
             Self::Form(form) if form.axes() == 0 => point(form),
-            Self::Form(form) => of_form(form, language),
-            Self::Spline(pieces) => {
-                let word = pick(language, "piecewise", "par morceaux");
-                format!("{} · {word}", of_form(pieces.net(), language))
-            }
+            Self::Form(form) => of_form(&form.kind().to_string(), form, language),
+            Self::Spline(spline) => of_form(&self.kind(language), spline.net(), language),
             Self::Immersed(lazy) => {
                 let word = pick(language, "not expanded", "non développée");
                 format!("{} · {}D · {word}", lazy.kind(), lazy.host().ambient())
@@ -84,8 +82,8 @@ fn boolean(value: bool, language: Language) -> &'static str {
     if value { pick(language, "TRUE", "VRAI") } else { pick(language, "FALSE", "FAUX") }
 }
 
-fn of_form<S: Scalar>(form: &Form<S>, language: Language) -> String {
-    let text = format!("{} · {}D", form.kind(), form.ambient());
+fn of_form<S: Scalar>(kind: &str, form: &Form<S>, language: Language) -> String {
+    let text = format!("{kind} · {}D", form.ambient());
     if form.is_rational() {
         format!("{text} · {}", pick(language, "rational", "rationnelle"))
     } else {

@@ -1,6 +1,7 @@
 //! Values as JSON, for programs that ask for a cell.
 
 use pforms_kernel::Form;
+use pforms_operators::Knots;
 use serde_json::{Map, Value as Json, json};
 
 use crate::{Arithmetic, Language, Value};
@@ -10,7 +11,7 @@ impl<S: Arithmetic> Value<S> {
     ///
     /// Numbers are numbers, or strings such as `"1/3"` in exact mode. A form is an object with
     /// `kind`, `orders`, `ambient`, `rational` and `poles`: homogeneous, nested by axis, the
-    /// weight last. An error is `{"error": {family, message, hint, origin}}`.
+    /// weight last; a spline has `piecewise`, `degrees` and `knots` beside those of its net. An error is `{"error": {family, message, hint, origin}}`.
     pub fn to_json(&self) -> Json {
         match self {
             Self::Empty => Json::Null,
@@ -22,6 +23,9 @@ impl<S: Arithmetic> Value<S> {
                 let mut object = of_form(pieces.net());
                 object["piecewise"] = true.into();
                 object["degrees"] = json!(pieces.degrees());
+                let list = |knots: &Knots<S>| knots.as_slice().iter().map(S::json).collect();
+                let knots: Vec<Json> = pieces.knots().iter().map(list).collect();
+                object["knots"] = knots.into();
                 object
             }
             Self::Immersed(lazy) => json!({

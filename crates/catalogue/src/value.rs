@@ -1,6 +1,6 @@
 //! What flows from cell to cell.
 
-use pforms_kernel::Form;
+use pforms_kernel::{Form, Kind};
 use pforms_operators::{Immersed, Shape, Spline};
 
 use crate::{Arithmetic, Failure, Language, Message, Words};
@@ -142,7 +142,7 @@ impl<S: Arithmetic> Value<S> {
         }
     }
 
-    /// What it is, in a word: `number`, `pP`, `pS33`, `ipL3`, `list`, …
+    /// What it is, in a word: `number`, `pP`, `pS33`, `ipL3`, `spline of 4 pL3`, `list`, …
     pub fn kind(&self, language: Language) -> String {
         let word = match self {
             Self::Empty => Words { en: "empty", fr: "vide" },
@@ -150,7 +150,7 @@ impl<S: Arithmetic> Value<S> {
             Self::Boolean(_) => Words { en: "boolean", fr: "booléen" },
             Self::Text(_) => Words { en: "text", fr: "texte" },
             Self::Form(form) => return form.kind().to_string(),
-            Self::Spline(pieces) => return pieces.net().kind().to_string(),
+            Self::Spline(spline) => return of_pieces(spline, language),
             Self::Immersed(lazy) => return lazy.kind(),
             Self::List(_) => Words { en: "list", fr: "liste" },
             Self::Record(_) => Words { en: "record", fr: "fiche" },
@@ -158,6 +158,14 @@ impl<S: Arithmetic> Value<S> {
         };
         word.get(language).to_owned()
     }
+}
+
+/// `spline of 4 pL3`, `spline of 2×3 pS33`.
+fn of_pieces<S: Arithmetic>(spline: &Spline<S>, language: Language) -> String {
+    let counts: Vec<String> = spline.counts().iter().map(usize::to_string).collect();
+    let orders: Vec<usize> = spline.degrees().iter().map(|degree| degree + 1).collect();
+    let of = crate::display::pick(language, "spline of", "spline de");
+    format!("{of} {} {}", counts.join("×"), Kind::new(&orders))
 }
 
 fn words_items() -> Message {
@@ -188,9 +196,10 @@ impl<S> From<Form<S>> for Value<S> {
     }
 }
 
-impl<S> From<Spline<S>> for Value<S> {
+impl<S: Arithmetic> From<Spline<S>> for Value<S> {
+    /// A spline without axes is a point.
     fn from(spline: Spline<S>) -> Self {
-        Self::Spline(spline)
+        Shape::from(spline).into()
     }
 }
 

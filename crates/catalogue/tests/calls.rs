@@ -69,7 +69,7 @@ fn parameters_may_be_lists_of_their_own() {
     assert_eq!(shown("=BLOSSOM([[(0, 0), (1, 0)], [(0, 1), (1, 1)]], [1/2], [1])"), "(1, 0.5)");
     assert_eq!(
         shown("=SUBDIVIDE([[(0, 0), (1, 0)], [(0, 1), (1, 1)]], 1, 2)"),
-        "pS35 · 2D · piecewise"
+        "spline of 2×4 pS22 · 2D"
     );
 }
 
@@ -143,7 +143,7 @@ fn near_misses_are_suggested() {
 
 #[test]
 fn forms_in_pieces_and_numbers_explain_what_to_do() {
-    let pieces = failure("=MI(SUBDIVIDE([(0, 0), (1, 1)], 1), (0, 0))");
+    let pieces = failure("=MOBIUS(SUBDIVIDE([(0, 0), (1, 1)], 1), 0, 2)");
     assert!(pieces.hint(Language::English).unwrap().starts_with("NET(…)"));
     let number = failure("=MIR(1, 2)");
     assert_eq!(number.hint(Language::English), Some("a one-dimensional point is written (x,)"));

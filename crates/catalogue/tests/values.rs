@@ -53,7 +53,7 @@ fn short_texts_of_a_cell() {
     assert_eq!(shows("=[1, 2, \"a\", TRUE]"), "[1, 2, a, TRUE]");
     assert_eq!(shows("=SEQUENCE(1, 9)"), "[1, 2, 3, 4, 5, 6, … (9)]");
     assert_eq!(shows("=[[1, [2, 3], []], 4]"), "[[1, [… (2)], []], 4]");
-    assert_eq!(shows("=SUBDIVIDE([(0, 0), (1, 2), (2, 0)], 2)"), "pL9 · 2D · piecewise");
+    assert_eq!(shows("=SUBDIVIDE([(0, 0), (1, 2), (2, 0)], 2)"), "spline of 4 pL3 · 2D");
     assert_eq!(
         shows("=IMMERSE([(0, 0), (1, 1)], [[(0, 0), (1, 0)], [(0, 1), (1, 1)]], lazy=TRUE)"),
         "ipL2 · 2D · not expanded"

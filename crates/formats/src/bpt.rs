@@ -52,10 +52,12 @@ fn announce(tokens: &Tokens<'_>, numbers: usize, what: &str) -> Result<()> {
 /// Writes polynomial surfaces.
 ///
 /// Errors: `Shape` for a form that is no surface of at most three dimensions; `Domain` for a
-/// rational one: the format has no weights.
+/// rational one: the format has no weights. Of a spline its pieces are written.
 pub fn write(forms: &[Named]) -> Result<Vec<u8>> {
-    let mut text = format!("{}\n", forms.len());
-    for Named { form, .. } in forms {
+    let pieces = forms.iter().map(|named| named.shape.pieces()).collect::<Result<Vec<_>>>()?;
+    let pieces = pieces.concat();
+    let mut text = format!("{}\n", pieces.len());
+    for form in &pieces {
         if form.axes() != 2 || form.ambient() > 3 {
             let received = format!("a {} in dimension {}", form.kind(), form.ambient());
             return Err(Error::shape("form", received, "a surface in space: .bpt holds no other"));

@@ -43,8 +43,8 @@ fn what_is_written_reads_back_the_same() {
     forms.push(flat.into());
     let again = bpt::read(&bpt::write(&forms).unwrap()).unwrap();
     assert_eq!(again[..32], forms[..32]);
-    assert_eq!(again[32].form.orders(), [1, 3]);
-    assert_eq!(again[32].form.points().unwrap()[..3], [0.1, 1e-7, 0.0]);
+    assert_eq!(again[32].net().orders(), [1, 3]);
+    assert_eq!(again[32].net().points().unwrap()[..3], [0.1, 1e-7, 0.0]);
     assert!(bpt::read(&bpt::write(&[]).unwrap()).unwrap().is_empty());
 }
 

@@ -3,10 +3,11 @@
 
 use pforms_formats::{Named, json, read};
 use pforms_kernel::{Error, Form, Rational, Scalar};
+use pforms_operators::{Shape, Spline};
 use proptest::prelude::*;
 
 fn named(name: &str, form: Form) -> Named {
-    Named { name: Some(name.to_owned()), form }
+    Named { name: Some(name.to_owned()), shape: form.into() }
 }
 
 fn fails(text: &str) -> (usize, usize, String) {
@@ -56,7 +57,7 @@ fn flat_listed_and_nested_poles_are_the_same() {
         let text = format!(
             "{{\"pforms\":1,\"forms\":[{{\"orders\":[2,2],\"ambient\":1,\"poles\":{poles}}}]}}"
         );
-        json::read::<f64>(text.as_bytes()).unwrap().remove(0).form
+        json::read::<f64>(text.as_bytes()).unwrap().remove(0).net().clone()
     };
     let nested = read("[[[0,1],[1,1]],[[2,1],[3,1]]]");
     assert_eq!(nested, read("[[0,1],[1,1],[2,1],[3,1]]"));
@@ -68,10 +69,10 @@ fn exact_fractions_survive() {
     let third = Rational::ratio(1, 3);
     let form = Form::from_homogeneous(&[1], 1, vec![third.clone(), Rational::one()]).unwrap();
     let bytes = json::write(&[form.clone().into()]);
-    assert_eq!(json::read::<Rational>(&bytes).unwrap()[0].form, form);
-    assert_eq!(json::read::<f64>(&bytes).unwrap()[0].form.homogeneous(), [1.0 / 3.0, 1.0]);
+    assert_eq!(json::read::<Rational>(&bytes).unwrap()[0].net(), &form);
+    assert_eq!(json::read::<f64>(&bytes).unwrap()[0].net().homogeneous(), [1.0 / 3.0, 1.0]);
     let mixed = br#"{"pforms":1,"forms":[{"orders":[],"ambient":2,"poles":["-22/7", 0.1, 1]}]}"#;
-    let exact = &json::read::<Rational>(mixed).unwrap()[0].form;
+    let exact = &json::read::<Rational>(mixed).unwrap()[0].net().clone();
     assert_eq!(exact.homogeneous()[1], Rational::from_f64(0.1).unwrap());
 }
 
@@ -146,7 +147,7 @@ fn a_document_cut_anywhere_is_refused() {
 fn content_tells_what_the_name_does_not() {
     let bytes = json::write(&[Form::point(&[1.0]).unwrap().into()]);
     assert_eq!(read("forms.txt", &bytes).unwrap().len(), 1);
-    assert_eq!(read("x", b"1\n0 0\n1 2 3\n").unwrap()[0].form.orders(), [1, 1]);
+    assert_eq!(read("x", b"1\n0 0\n1 2 3\n").unwrap()[0].net().orders(), [1, 1]);
     assert_eq!(read("x", b"what?").unwrap_err().family(), "Format");
     assert_eq!(read("x", b"").unwrap_err().family(), "Format");
 }
@@ -157,7 +158,7 @@ proptest! {
         let form = Form::from_homogeneous(&[2, 3], 1, numbers).unwrap();
         let back = json::read::<f64>(&json::write(&[form.clone().into()])).unwrap();
         let bits = |form: &Form| form.homogeneous().iter().map(|x| x.to_bits()).collect::<Vec<_>>();
-        prop_assert_eq!(bits(&back[0].form), bits(&form));
+        prop_assert_eq!(bits(&back[0].net()), bits(&form));
     }
 
     #[test]
@@ -169,4 +170,34 @@ proptest! {
         let _ = json::read::<f64>(&bytes);
         let _ = read("x.json", &bytes);
     }
+}
+
+#[test]
+fn splines_come_back_with_their_knots() {
+    let net = Form::from_points(&[4, 2], 1, &[0., 1., 2., 3., 0.1, 5., 6., 7.], None).unwrap();
+    let knots = vec![vec![0.0, 0.0, 0.0, 0.1, 1.0, 1.0, 1.0], vec![-1.0, 0.0, 1.0, 2.0]];
+    let spline = Spline::new(net, &[2, 1], knots).unwrap();
+    let bytes = json::write(&[Named::from(spline.clone()), spline.net().clone().into()]);
+    let text = String::from_utf8(bytes.clone()).unwrap();
+    assert!(
+        text.contains("      \"degrees\": [2, 1],\n      \"knots\": [[0.0, 0.0, 0.0, 0.1,"),
+        "{text}"
+    );
+    let back = json::read::<f64>(&bytes).unwrap();
+    assert_eq!(back[0].shape, Shape::Spline(spline.clone()));
+    assert_eq!(back[1].shape, Shape::Form(spline.net().clone()));
+    let exact = spline.map_scalar(|x| Rational::from_f64(*x).unwrap()).unwrap();
+    let again = json::read::<Rational>(&json::write(&[Named::from(exact.clone())])).unwrap();
+    assert_eq!(again[0].shape, Shape::Spline(exact));
+    let with = |keys: &str| {
+        fails(&format!(
+            "{{\"pforms\": 1, \"forms\": [{{\"orders\": [2], \"ambient\": 1, \
+             \"poles\": [[0, 1], [1, 1]], {keys}}}]}}"
+        ))
+        .2
+    };
+    assert!(with("\"degrees\": [1]").contains("go together"));
+    assert!(with("\"degrees\": [1], \"knots\": [[0, 0, 1]]").contains("3 knots"));
+    assert!(with("\"degrees\": [1], \"knots\": [0, 0, 1, 1]").contains("knots in an array"));
+    assert!(with("\"degrees\": [1], \"knots\": [[0, 1, 0, 1]]").contains("decrease"));
 }

@@ -1,6 +1,7 @@
 //! What is drawn of a volume: its six faces, a stack of leaves, a bundle of fibres.
 
 use pforms_kernel::{Error, Form, Result, bernstein_row};
+use pforms_operators::{Poles, Shape};
 
 use crate::require_room;
 use crate::space::{embed, project, quadruples, require_axes, tensor};
@@ -31,22 +32,30 @@ pub fn envelope(form: &Form) -> Result<Vec<Form>> {
 
 /// `count` leaves of a volume at equal parameters of `axis`, the first and the last its faces.
 ///
-/// Of any form, the sub-forms at these parameters. A single leaf is the one in the middle.
+/// Of any form or spline, the parts at these parameters. A single leaf is the one in the middle.
 ///
 /// Errors: `Shape` when there is no such axis; `Domain` for no leaf at all.
-pub fn leaves(form: &Form, axis: usize, count: usize) -> Result<Vec<Form>> {
+pub fn leaves(shape: &Shape, axis: usize, count: usize) -> Result<Vec<Shape>> {
     require_count(count)?;
-    parameters(count).map(|t| section(form, axis, t)).collect()
+    let spline = match shape {
+        Shape::Form(form) => {
+            return parameters(count).map(|t| Ok(section(form, axis, t)?.into())).collect();
+        }
+        Shape::Spline(spline) => spline.bezier()?,
+    };
+    let (from, to) = spline.window(axis)?;
+    let place = |t: f64| if t == 1.0 { to } else { from + t * (to - from) };
+    parameters(count).map(|t| Ok(spline.sub(axis, &place(t))?.into())).collect()
 }
 
 /// `count × count` curves of a volume along `axis`; of a surface, `count` curves.
 ///
 /// Errors: as [`leaves`].
-pub fn fibres(form: &Form, axis: usize, count: usize) -> Result<Vec<Form>> {
+pub fn fibres(shape: &Shape, axis: usize, count: usize) -> Result<Vec<Shape>> {
     require_count(count)?;
-    form.require_axis(axis)?;
-    let mut fibres = vec![form.clone()];
-    for other in (0..form.axes()).rev().filter(|&other| other != axis) {
+    shape.net().require_axis(axis)?;
+    let mut fibres = vec![shape.clone()];
+    for other in (0..shape.net().axes()).rev().filter(|&other| other != axis) {
         require_room("the bundle", &[fibres.len(), count])?;
         let parts: Result<Vec<_>> = fibres.iter().map(|part| leaves(part, other, count)).collect();
         fibres = parts?.concat();

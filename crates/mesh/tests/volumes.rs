@@ -6,6 +6,7 @@ mod common;
 use common::is_watertight;
 use pforms_kernel::Form;
 use pforms_mesh::{Sampling, Triangles, envelope, fibres, leaves, net, normals, poles, surfaces};
+use pforms_operators::{Poles, Shape};
 
 /// A box of sides 1, 2, 3 with `orders` poles along its axes, its last axis reversed if `mirrored`.
 fn cuboid(orders: [usize; 3], mirrored: bool) -> Form {
@@ -55,11 +56,14 @@ fn a_bent_envelope_is_watertight_within_a_tolerance() {
 #[test]
 fn leaves_and_fibres_are_sub_forms() {
     let form = cuboid([2, 3, 4], false);
-    let stack = leaves(&form, 2, 4).unwrap();
+    let sections = leaves(&form.clone().into(), 2, 4).unwrap();
+    let stack: Vec<Form> = sections.iter().map(|sheet| sheet.net().clone()).collect();
     assert_eq!(stack.len(), 4);
     assert_eq!(stack[0].orders(), [2, 3]);
     assert_eq!(stack[3].at(&[0.5, 0.5]).unwrap(), [0.5, 1.0, 3.0]);
+    let form: Shape = form.into();
     let bundle = fibres(&form, 0, 3).unwrap();
+    let bundle: Vec<Form> = bundle.iter().map(|fibre| fibre.net().clone()).collect();
     assert_eq!(bundle.len(), 9);
     assert!(bundle.iter().all(|fibre| fibre.orders() == [2]));
     let last = bundle[8].at(&[1.0]).unwrap();
@@ -82,7 +86,8 @@ fn the_net_joins_neighbours_and_stops_at_infinity() {
 
 #[test]
 fn normals_are_lines_of_the_asked_length() {
-    let facet = &leaves(&cuboid([2, 2, 2], false), 2, 2).unwrap()[0];
+    let facet = leaves(&cuboid([2, 2, 2], false).into(), 2, 2).unwrap()[0].net().clone();
+    let facet = &facet;
     let lines = normals(facet, &Sampling::Fineness(vec![1]), 0.5).unwrap();
     assert_eq!(lines.len(), 9);
     assert_eq!(lines[0].points, [[0.0, 0.0, 0.0], [0.0, 0.0, 0.5]]);

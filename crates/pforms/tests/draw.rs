@@ -65,7 +65,7 @@ fn a_sheet_gives_its_forms_exactly() {
     done(&folder, &["draw", OCTANT, "-o", "o.json", "--cell", "A4", "--cell", "viviani"], "");
     let text = std::fs::read(folder.join("o.json")).unwrap();
     let forms = pforms::formats::read("o.json", &text).unwrap();
-    let kinds: Vec<String> = forms.iter().map(|named| named.form.kind().to_string()).collect();
+    let kinds: Vec<String> = forms.iter().map(|named| named.net().kind().to_string()).collect();
     assert_eq!(kinds, ["pS33", "pL5"]);
     assert_eq!(forms[0].name.as_deref(), Some("A4"));
     let complaint = fails(&folder, &["draw", OCTANT, "-o", "o.bpt"], "");

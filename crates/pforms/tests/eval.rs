@@ -39,10 +39,10 @@ fn every_cell_in_a_line() {
     let (code, text) = answer(&["eval", "-"], SHEET);
     assert_eq!(code, 0);
     let lines: Vec<&str> = text.lines().collect();
-    assert_eq!(lines[0], "A1  pL2     2D");
-    assert_eq!(lines[1], "A2  number  0.3333333333333333");
-    assert!(lines[2].starts_with("A3  error   A3: A9: received an empty cell"), "{text}");
-    assert!(lines[3].starts_with("A4  pL3     2D · piecewise"), "{text}");
+    assert_eq!(lines[0], "A1  pL2              2D");
+    assert_eq!(lines[1], "A2  number           0.3333333333333333");
+    assert!(lines[2].starts_with("A3  error            A3: A9: received an empty cell"), "{text}");
+    assert!(lines[3].starts_with("A4  spline of 2 pL2  2D"), "{text}");
 }
 
 #[test]

@@ -2,9 +2,10 @@
 
 use pforms_kernel::{Error, Form, Result};
 use pforms_mesh::{
-    Polyline, Sampling, curve, envelope, fibres, leaves, net, normals, points, poles, require_room,
-    surfaces,
+    Polyline, Sampling, chain, curve, envelope, fibres, leaves, net, normals, patches, points,
+    poles, require_room, surfaces,
 };
+use pforms_operators::{Poles, Shape};
 
 use crate::{Mode, Part, Shading, Shapes, Style};
 
@@ -31,12 +32,12 @@ pub fn draw(shapes: &Shapes, style: &Style) -> Result<Vec<Part>> {
     }
     let mut parts = Vec::new();
     for mode in &style.draw {
-        let suited: Vec<&Form> =
-            shapes.forms.iter().filter(|form| Mode::suiting(form).contains(mode)).collect();
+        let suits = |shape: &&Shape| Mode::suiting(shape.net()).contains(mode);
+        let suited: Vec<&Shape> = shapes.as_slice().iter().filter(suits).collect();
         if suited.is_empty() {
-            return Err(unsuited(*mode, &shapes.forms));
+            return Err(unsuited(*mode, &shapes.nets()));
         }
-        parts.extend(in_mode(*mode, &suited, &shapes.nets, style)?);
+        parts.extend(in_mode(*mode, &suited, &shapes.nets(), style)?);
     }
     Ok(parts)
 }
@@ -45,46 +46,46 @@ pub fn draw(shapes: &Shapes, style: &Style) -> Result<Vec<Part>> {
 fn usual(shapes: &Shapes, style: &Style) -> Result<Vec<Part>> {
     let mut parts = Vec::new();
     for mode in [Mode::Surface, Mode::Envelope, Mode::Curve, Mode::Points] {
-        let forms: Vec<&Form> =
-            shapes.forms.iter().filter(|form| Mode::suiting(form).first() == Some(&mode)).collect();
-        if !forms.is_empty() {
-            parts.extend(in_mode(mode, &forms, &[], style)?);
+        let suits = |shape: &&Shape| Mode::suiting(shape.net()).first() == Some(&mode);
+        let suited: Vec<&Shape> = shapes.as_slice().iter().filter(suits).collect();
+        if !suited.is_empty() {
+            parts.extend(in_mode(mode, &suited, &[], style)?);
         }
     }
     Ok(parts)
 }
 
-fn in_mode(mode: Mode, forms: &[&Form], nets: &[Form], style: &Style) -> Result<Vec<Part>> {
+fn in_mode(mode: Mode, shapes: &[&Shape], nets: &[&Form], style: &Style) -> Result<Vec<Part>> {
     let sampling = &style.sampling();
     let (count, axis) = (style.count, style.axis);
+    let pieces = gathered(shapes, |shape| shape.pieces())?;
+    let forms: &[&Form] = &pieces.iter().collect::<Vec<_>>();
     forecast(mode, forms, sampling)?;
     Ok(match mode {
         Mode::Points => vec![spheres(gathered(forms, |form| points(form, sampling))?, style)],
-        Mode::Curve => vec![tubes(gathered(forms, |form| lines(form, sampling))?, style)],
-        Mode::Surface => triangles(&cloned(forms), sampling, style)?,
-        Mode::Envelope => triangles(&gathered(forms, envelope)?, sampling, style)?,
+        Mode::Curve => vec![tubes(gathered(shapes, |shape| lines(shape, sampling))?, style)],
+        Mode::Surface => triangles(&pieces, sampling, style)?,
+        Mode::Envelope => triangles(&gathered(shapes, |shape| outside(shape))?, sampling, style)?,
         Mode::Sheets => {
-            let across = |form: &Form| leaves(form, axis, count);
-            triangles(&gathered(forms, across)?, &without(sampling, axis), style)?
+            let across = |shape: &&Shape| leaves(shape, axis, count);
+            let sheets = gathered(shapes, across)?;
+            let sheets = gathered(&sheets, Shape::pieces)?;
+            triangles(&sheets, &without(sampling, axis), style)?
         }
         Mode::Fibres => {
-            let bundle = gathered(forms, |form| fibres(form, axis, count))?;
+            let bundle = gathered(shapes, |shape| fibres(shape, axis, count))?;
             let along = only(sampling, axis);
-            let bundle: Vec<&Form> = bundle.iter().collect();
-            forecast(Mode::Curve, &bundle, &along)?;
+            let pieces = gathered(&bundle, Shape::pieces)?;
+            forecast(Mode::Curve, &pieces.iter().collect::<Vec<_>>(), &along)?;
             vec![tubes(gathered(&bundle, |fibre| lines(fibre, &along))?, style)]
         }
         Mode::Net => {
-            let nets: Vec<&Form> = nets.iter().collect();
-            let wires = tubes_of(gathered(&nets, net)?, style.radius / 3.0);
-            vec![wires, spheres(gathered(&nets, poles)?, style)]
+            let wires = tubes_of(gathered(nets, |form| net(form))?, style.radius / 3.0);
+            vec![wires, spheres(gathered(nets, |form| poles(form))?, style)]
         }
-        Mode::Poles => {
-            let nets: Vec<&Form> = nets.iter().collect();
-            vec![spheres(gathered(&nets, poles)?, style)]
-        }
+        Mode::Poles => vec![spheres(gathered(nets, |form| poles(form))?, style)],
         Mode::Normals => {
-            let needles = |form: &Form| normals(form, sampling, style.length);
+            let needles = |form: &&Form| normals(form, sampling, style.length);
             vec![tubes(gathered(forms, needles)?, style)]
         }
     })
@@ -127,20 +128,28 @@ fn tubes_of(polylines: Vec<Polyline>, radius: f64) -> Part {
     Part::Lines { polylines, radius }
 }
 
-fn lines(form: &Form, sampling: &Sampling) -> Result<Vec<Polyline>> {
-    Ok(curve(form, sampling)?.polylines)
+fn lines(shape: &Shape, sampling: &Sampling) -> Result<Vec<Polyline>> {
+    let drawn = match shape {
+        Shape::Form(form) => curve(form, sampling)?,
+        Shape::Spline(spline) => chain(spline, sampling)?,
+    };
+    Ok(drawn.polylines)
 }
 
-fn gathered<T>(forms: &[&Form], of: impl Fn(&Form) -> Result<Vec<T>>) -> Result<Vec<T>> {
+/// The faces of a volume.
+fn outside(shape: &Shape) -> Result<Vec<Form>> {
+    match shape {
+        Shape::Form(form) => envelope(form),
+        Shape::Spline(spline) => patches(spline),
+    }
+}
+
+fn gathered<A, T>(list: &[A], of: impl Fn(&A) -> Result<Vec<T>>) -> Result<Vec<T>> {
     let mut all = Vec::new();
-    for form in forms {
-        all.extend(of(form)?);
+    for item in list {
+        all.extend(of(item)?);
     }
     Ok(all)
-}
-
-fn cloned(forms: &[&Form]) -> Vec<Form> {
-    forms.iter().map(|form| (*form).clone()).collect()
 }
 
 /// The sampling of a leaf, which lacks `axis`.
@@ -165,11 +174,11 @@ fn only(sampling: &Sampling, axis: usize) -> Sampling {
     }
 }
 
-fn unsuited(mode: Mode, forms: &[Form]) -> Error {
+fn unsuited(mode: Mode, forms: &[&Form]) -> Error {
     let kinds: Vec<String> = forms.iter().take(3).map(|form| form.kind().to_string()).collect();
     let ways: Vec<String> = forms
         .first()
-        .map_or(&[][..], Mode::suiting)
+        .map_or(&[][..], |form| Mode::suiting(form))
         .iter()
         .map(|mode| format!("{mode:?}").to_lowercase())
         .collect();

@@ -11,7 +11,7 @@ pub struct Item {
     pub name: String,
     /// How it is drawn.
     pub style: Style,
-    /// The forms themselves, for pictures that need no triangles.
+    /// The forms themselves, splines in pieces, for pictures that need no triangles.
     pub forms: Vec<Form>,
     /// What it consists of.
     pub parts: Vec<Part>,
@@ -34,7 +34,8 @@ impl Scene {
     /// Errors: those of [`draw`].
     pub fn add(&mut self, name: &str, shapes: Shapes, style: Style) -> Result<()> {
         let parts = draw(&shapes, &style)?;
-        self.items.push(Item { name: name.to_owned(), style, forms: shapes.forms, parts });
+        let forms = shapes.pieces()?;
+        self.items.push(Item { name: name.to_owned(), style, forms, parts });
         Ok(())
     }
 

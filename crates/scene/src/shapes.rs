@@ -2,32 +2,33 @@
 
 use pforms_catalogue::{Arithmetic, Value};
 use pforms_kernel::{Error, Form, Result, Scalar};
+use pforms_operators::{Poles, Shape};
 
-/// The forms of a value that can be drawn, and the net its poles are taken from.
+/// The forms and splines of a value that can be drawn.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Shapes {
-    /// What is drawn.
-    pub forms: Vec<Form>,
-    /// What carries the poles: of a form in pieces, the refined net they share.
-    pub nets: Vec<Form>,
-}
+pub struct Shapes(Vec<Shape>);
 
 impl Shapes {
-    /// Forms that carry their own poles.
+    /// Forms.
     pub fn of(forms: Vec<Form>) -> Self {
-        Self { nets: forms.clone(), forms }
+        Self(forms.into_iter().map(Shape::Form).collect())
     }
 
-    /// All forms in a value: its own, its pieces, those of a list and of the lists inside it.
+    /// Forms and splines.
+    pub fn of_all(shapes: Vec<Shape>) -> Self {
+        Self(shapes)
+    }
+
+    /// All forms in a value: its own, those of a list and of the lists inside it.
     ///
     /// Numbers, texts and the like in a list are passed over.
     ///
     /// Errors: `Shape` when the value holds no form at all; `Limit` when an immersed form is too
     /// large to be expanded.
     pub fn in_value<S: Arithmetic>(value: &Value<S>) -> Result<Self> {
-        let mut shapes = Self { forms: Vec::new(), nets: Vec::new() };
+        let mut shapes = Self(Vec::new());
         shapes.gather(value)?;
-        if shapes.forms.is_empty() {
+        if shapes.0.is_empty() {
             let kind = value.kind(pforms_catalogue::Language::English);
             return Err(Error::shape("value", format!("a value of kind {kind}"), "a form to draw"));
         }
@@ -36,14 +37,9 @@ impl Shapes {
 
     fn gather<S: Arithmetic>(&mut self, value: &Value<S>) -> Result<()> {
         match value {
-            Value::Form(form) => self.push(floating(form)?),
-            Value::Immersed(lazy) => self.push(floating(&lazy.expand()?)?),
-            Value::Spline(pieces) => {
-                for piece in pieces.pieces()? {
-                    self.forms.push(floating(&piece)?);
-                }
-                self.nets.push(floating(pieces.net())?);
-            }
+            Value::Form(form) => self.0.push(floating(form)?.into()),
+            Value::Immersed(lazy) => self.0.push(floating(&lazy.expand()?)?.into()),
+            Value::Spline(spline) => self.0.push(spline.map_scalar(S::to_f64)?.into()),
             Value::List(items) => items.iter().try_for_each(|item| self.gather(item))?,
             Value::Empty
             | Value::Number(_)
@@ -55,9 +51,21 @@ impl Shapes {
         Ok(())
     }
 
-    fn push(&mut self, form: Form) {
-        self.nets.push(form.clone());
-        self.forms.push(form);
+    /// What is drawn.
+    pub fn as_slice(&self) -> &[Shape] {
+        &self.0
+    }
+
+    /// What carries the poles: forms, and the nets of splines.
+    pub fn nets(&self) -> Vec<&Form> {
+        self.0.iter().map(Poles::net).collect()
+    }
+
+    /// The forms, and the pieces of the splines.
+    ///
+    /// Errors: `Limit`.
+    pub fn pieces(&self) -> Result<Vec<Form>> {
+        Ok(self.0.iter().map(Shape::pieces).collect::<Result<Vec<_>>>()?.concat())
     }
 }
 

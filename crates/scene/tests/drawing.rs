@@ -117,13 +117,13 @@ fn what_does_not_suit_is_refused_with_what_does() {
 fn values_hold_forms_at_any_depth() {
     let form: Value = facet().into();
     let list = Value::list(vec![Value::Number(1.0), form.clone(), Value::list(vec![form])]);
-    assert_eq!(Shapes::in_value(&list).unwrap().forms.len(), 2);
+    assert_eq!(Shapes::in_value(&list).unwrap().as_slice().len(), 2);
     for empty in [Value::Number(1.0), Value::Empty, Value::list(vec![])] {
         assert_eq!(Shapes::in_value::<f64>(&empty).unwrap_err().family(), "Shape");
     }
     let third = Form::point(&[Rational::ratio(1, 3)]).unwrap();
     let shapes = Shapes::in_value(&Value::Form(third)).unwrap();
-    assert_eq!(shapes.forms[0].points().unwrap(), [1.0 / 3.0]);
+    assert_eq!(shapes.nets()[0].points().unwrap(), [1.0 / 3.0]);
 }
 
 #[test]
@@ -131,7 +131,7 @@ fn a_subdivided_form_shows_its_pieces_and_its_refined_net() {
     let arc = Form::from_points(&[3], 2, &[0., 0., 1., 2., 2., 0.], None).unwrap();
     let halves = pforms_operators::subdivide(&arc, &[1]).unwrap();
     let shapes = Shapes::in_value(&Value::Spline(halves)).unwrap();
-    assert_eq!((shapes.forms.len(), shapes.nets.len()), (2, 1));
+    assert_eq!((shapes.pieces().unwrap().len(), shapes.nets().len()), (2, 1));
     let style = Style { draw: vec![Mode::Curve, Mode::Poles], ..Style::default() };
     let parts = draw(&shapes, &style).unwrap();
     let Part::Points { positions, .. } = &parts[1] else { panic!() };

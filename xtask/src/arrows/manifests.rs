@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! kernel ← operators ← mesh ← catalogue ← { scene, sheet } ← { python, wasm, pforms }
-//! { kernel, mesh, scene } ← formats ← faces        formula ← sheet
+//! { kernel, operators, mesh, scene } ← formats ← faces        formula ← sheet
 //! ```
 //!
 //! The compiler refuses a path to a crate that the manifest lacks, so the manifests are enough.
@@ -26,7 +26,7 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
         "pforms-sheet",
         &["pforms-kernel", "pforms-operators", "pforms-mesh", "pforms-catalogue", "pforms-formula"],
     ),
-    ("pforms-formats", &["pforms-kernel", "pforms-mesh", "pforms-scene"]),
+    ("pforms-formats", &["pforms-kernel", "pforms-operators", "pforms-mesh", "pforms-scene"]),
     ("pforms-testkit", &["pforms-kernel"]),
     ("pforms", LIBRARIES),
     ("pforms-python", LIBRARIES),

@@ -14,6 +14,9 @@
 //! }
 //! ```
 //!
+//! A spline has `degrees` and `knots` too, a full knot vector for each axis; `orders` and `poles` are
+//! those of its net.
+//!
 //! Poles are homogeneous, the weight last and multiplied in. They are one flat array, an array of
 //! poles, or nested like the axes of the form. A number is a JSON number (an `f64`, restored to
 //! the last bit) or a string with an exact fraction, `"1/3"`.

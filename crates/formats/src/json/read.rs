@@ -1,6 +1,7 @@
 //! JSON to forms.
 
 use pforms_kernel::{Error, Form, Place, Result};
+use pforms_operators::{Shape, Spline};
 use serde::Deserialize;
 
 use super::Number;
@@ -44,13 +45,15 @@ struct Entry<S>(Named<S>);
 #[serde(
     deny_unknown_fields,
     bound = "S: Number",
-    expecting = "an object with `orders`, `ambient` and `poles`"
+    expecting = "an object with `orders`, `ambient` and `poles`, of a spline `degrees` and `knots`"
 )]
 struct Raw<S> {
     name: Option<String>,
     orders: Vec<usize>,
     ambient: usize,
     poles: Array<S>,
+    degrees: Option<Vec<usize>>,
+    knots: Option<Vec<Array<S>>>,
 }
 
 impl<S: Number> TryFrom<Raw<S>> for Entry<S> {
@@ -61,7 +64,7 @@ impl<S: Number> TryFrom<Raw<S>> for Entry<S> {
             Some(name) => format!("form {name:?}: {problem}"),
             None => problem,
         };
-        let Raw { orders, ambient, poles: Array { numbers, shape }, .. } = raw;
+        let Raw { orders, ambient, poles: Array { numbers, shape }, degrees, knots, .. } = raw;
         if ambient == usize::MAX {
             return Err(said(format!("ambient: {ambient} coordinates")));
         }
@@ -74,7 +77,19 @@ impl<S: Number> TryFrom<Raw<S>> for Entry<S> {
         if shape.len() > 1 && !nested && !listed {
             return Err(said(format!("poles in an array of {shape:?}, orders {orders:?}")));
         }
-        Ok(Self(Named { name: raw.name, form }))
+        let shape = match (degrees, knots) {
+            (None, None) => Shape::Form(form),
+            (Some(degrees), Some(knots)) => {
+                if let Some(list) = knots.iter().find(|list| list.shape.len() != 1) {
+                    return Err(said(format!("knots in an array of {:?}", list.shape)));
+                }
+                let knots = knots.into_iter().map(|list| list.numbers).collect();
+                let spline = Spline::new(form, &degrees, knots);
+                spline.map_err(|error| said(error.to_string()))?.into()
+            }
+            _ => return Err(said("`degrees` and `knots` go together".to_owned())),
+        };
+        Ok(Self(Named { name: raw.name, shape }))
     }
 }
 
@@ -86,7 +101,7 @@ impl<S: Number> TryFrom<Raw<S>> for Entry<S> {
 /// use pforms_formats::json;
 /// let text = br#"{"pforms": 1, "forms": [{"orders": [2], "ambient": 1, "poles": [0, 1, "1/2", 1]}]}"#;
 /// let forms = json::read::<f64>(text)?;
-/// assert_eq!(forms[0].form.at(&[0.5])?, [0.25]);
+/// assert_eq!(forms[0].net().at(&[0.5])?, [0.25]);
 /// # Ok::<(), pforms_kernel::Error>(())
 /// ```
 pub fn read<S: Number>(bytes: &[u8]) -> Result<Vec<Named<S>>> {

@@ -2,6 +2,7 @@
 
 use std::fmt::Write;
 
+use pforms_operators::{Knots, Shape};
 use serde_json::Value;
 
 use super::Number;
@@ -16,9 +17,16 @@ pub fn write<S: Number>(forms: &[Named<S>]) -> Vec<u8> {
         if let Some(name) = &named.name {
             line(&mut text, "name", &Value::from(name.as_str()));
         }
-        let form = &named.form;
+        let form = named.net();
         line(&mut text, "orders", &Value::from(form.orders()));
         line(&mut text, "ambient", &Value::from(form.ambient()));
+        if let Shape::Spline(spline) = &named.shape {
+            line(&mut text, "degrees", &Value::from(spline.degrees()));
+            let list = |knots: &Knots<S>| -> Vec<Value> {
+                knots.as_slice().iter().map(S::to_json).collect()
+            };
+            line(&mut text, "knots", &spline.knots().iter().map(list).collect());
+        }
         text.push_str("      \"poles\": [");
         for (index, pole) in form.homogeneous().chunks_exact(form.width()).enumerate() {
             let numbers: Vec<String> = pole.iter().map(|x| x.to_json().to_string()).collect();

@@ -9,7 +9,7 @@ use pforms_testkit::octant;
 pub const TEAPOT: &[u8] = include_bytes!("../../../../cases/models/newell-teapot32.bpt");
 
 pub fn teapot() -> Vec<Form> {
-    bpt::read(TEAPOT).unwrap().into_iter().map(|named| named.form).collect()
+    bpt::read(TEAPOT).unwrap().into_iter().map(|named| named.net().clone()).collect()
 }
 
 pub fn style(draw: &[Mode], color: &str, opacity: f64) -> Style {

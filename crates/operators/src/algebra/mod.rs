@@ -69,7 +69,7 @@ pub use ruled::{ruled, ruled_shapes};
 pub use scale::{scale, scaling};
 pub use segment::{polyline, segment};
 pub use shear::{shear, shearing};
-pub use spline::{Knots, Poles, Removal, Shape, Spline};
+pub use spline::{Knots, Located, Poles, Removal, Shape, Spline, midpoint_shapes, stack_shapes};
 pub use stack::{midpoint, stack, unstack};
 pub use stretch::{split, stretch, stretch_matrix};
 pub use subdivide::{subdivide, subdivision_matrix};

@@ -50,6 +50,11 @@ pub struct CurveFrame {
 }
 
 impl CurveFrame {
+    /// The frame of the same curve run through in windows `length` times as long: slower by that.
+    pub(crate) fn slowed(self, length: f64) -> Self {
+        Self { speed: self.speed / length, bend: self.bend / (length * length), ..self }
+    }
+
     /// The same frame with its natural lengths: tangent `f′`, normal the part of `f″` across it
     /// (for the Frenet kind), binormal `f′ × f″`. A rotation-minimising normal has no length of
     /// its own and keeps 1.

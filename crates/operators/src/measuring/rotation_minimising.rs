@@ -8,6 +8,7 @@ use pforms_kernel::{Error, Form, Result};
 
 use super::curve_frame::{CurveFrame, Station};
 use super::vector::{dot, norm, plus, unit};
+use crate::{Located, Spline};
 
 /// Steps that a unit of parameter is cut into at first.
 const FIRST_STEPS: f64 = 16.0;
@@ -25,16 +26,44 @@ pub(crate) fn rotation_minimising(
     parameters: &[f64],
     accuracy: f64,
 ) -> Result<Vec<CurveFrame>> {
+    let stops: Vec<Stop> = parameters.iter().map(|&t| Stop { piece: 0, t }).collect();
+    along_chain(std::slice::from_ref(curve), &stops, accuracy)
+}
+
+/// The same for a spline, carried from the beginning of its window.
+pub(crate) fn along_pieces(
+    spline: &Spline,
+    parameters: &[f64],
+    accuracy: f64,
+) -> Result<Vec<CurveFrame>> {
+    let places = parameters.iter().map(|&t| spline.locate(&[t])).collect::<Result<Vec<_>>>()?;
+    let stop = |place: &Located| Stop { piece: place.index[0], t: place.parameters[0] };
+    let stops: Vec<Stop> = places.iter().map(stop).collect();
+    let frames = along_chain(&spline.pieces()?, &stops, accuracy)?.into_iter();
+    let known = frames.zip(parameters).zip(&places);
+    Ok(known
+        .map(|((frame, &t), place)| CurveFrame { parameter: t, ..frame.slowed(place.lengths[0]) })
+        .collect())
+}
+
+/// A parameter of one of the curves that make a chain.
+#[derive(Clone, Copy)]
+struct Stop {
+    piece: usize,
+    t: f64,
+}
+
+fn along_chain(chain: &[Form], stops: &[Stop], accuracy: f64) -> Result<Vec<CurveFrame>> {
     if accuracy.is_nan() || accuracy <= 0.0 {
         return Err(Error::domain("accuracy", accuracy, "a positive angle"));
     }
-    if let Some(far) = parameters.iter().find(|t| t.abs() > REACH) {
+    if let Some(far) = stops.iter().find(|stop| stop.t.abs() > REACH) {
         let expected = format!("parameters between {} and {REACH}, carried from 0", -REACH);
-        return Err(Error::domain("parameters", far, expected));
+        return Err(Error::domain("parameters", far.t, expected));
     }
     let stations: Vec<Station> =
-        parameters.iter().map(|t| Station::new(curve, *t)).collect::<Result<_>>()?;
-    let walk = Walk::new(curve, parameters)?;
+        stops.iter().map(|stop| Station::new(&chain[stop.piece], stop.t)).collect::<Result<_>>()?;
+    let walk = Walk::new(chain, stops)?;
     let mut normals = walk.normals(1)?;
     let mut cuts = 1;
     loop {
@@ -47,74 +76,101 @@ pub(crate) fn rotation_minimising(
         if change <= 8.0 * accuracy {
             break;
         }
-        if walk.steps(cuts) > MOST_STEPS + parameters.len() {
+        if walk.steps(cuts) > MOST_STEPS + walk.steps(1) {
             return Err(Error::accuracy("accuracy", accuracy, format!("about {change:e}")));
         }
     }
     Ok(stations.iter().zip(normals).map(|(station, normal)| station.frame_with(normal)).collect())
 }
 
-/// The way from `u = 0` through all parameters, upwards and downwards.
+/// The way from the beginning through all stops, upwards and downwards.
 struct Walk<'a> {
-    curve: &'a Form,
-    parameters: &'a [f64],
+    chain: &'a [Form],
+    count: usize,
     start: Vec<f64>,
-    /// Positions in `parameters`, by increasing distance from 0, for either side.
-    sides: [Vec<usize>; 2],
+    sides: [Vec<Leg>; 2],
+}
+
+/// A part of the way on one curve.
+struct Leg {
+    piece: usize,
+    from: f64,
+    to: f64,
+    /// The number of the stop at its end, if there is one.
+    stop: Option<usize>,
 }
 
 impl<'a> Walk<'a> {
-    fn new(curve: &'a Form, parameters: &'a [f64]) -> Result<Self> {
-        let origin = Station::new(curve, 0.0)?;
+    fn new(chain: &'a [Form], stops: &[Stop]) -> Result<Self> {
+        let origin = Station::new(&chain[0], 0.0)?;
         let start = origin.principal_normal().unwrap_or_else(|| any_normal(&origin.tangent));
-        let side = |sign: f64| {
+        let downwards = |stop: &Stop| stop.piece == 0 && stop.t < 0.0;
+        let side = |down: bool| {
             let mut order: Vec<usize> =
-                (0..parameters.len()).filter(|&i| parameters[i] * sign >= 0.0).collect();
-            order.sort_by(|&i, &j| parameters[i].abs().total_cmp(&parameters[j].abs()));
-            order
+                (0..stops.len()).filter(|&i| downwards(&stops[i]) == down).collect();
+            let reach = |i: usize| (stops[i].piece, stops[i].t.abs());
+            order.sort_by(|&i, &j| {
+                let ((a, s), (b, t)) = (reach(i), reach(j));
+                a.cmp(&b).then(s.total_cmp(&t))
+            });
+            legs(&order, stops)
         };
-        Ok(Self { curve, parameters, start, sides: [side(1.0), side(-1.0)] })
+        Ok(Self { chain, count: stops.len(), start, sides: [side(false), side(true)] })
     }
 
     fn steps(&self, cuts: usize) -> usize {
-        let gaps = |side: &Vec<usize>| {
-            let mut here = 0.0;
-            let steps = side.iter().map(|&i| {
-                let there = self.parameters[i];
-                let steps = steps_between(here, there, cuts);
-                here = there;
-                steps
-            });
-            steps.sum::<usize>()
-        };
-        self.sides.iter().map(gaps).sum()
+        self.sides.iter().flatten().map(|leg| leg.steps(cuts)).sum()
     }
 
-    /// The normal at every parameter, in steps `cuts` times shorter than the first.
+    /// The normal at every stop, in steps `cuts` times shorter than the first.
     fn normals(&self, cuts: usize) -> Result<Vec<Vec<f64>>> {
-        let mut normals = vec![Vec::new(); self.parameters.len()];
+        let mut normals = vec![Vec::new(); self.count];
         for side in &self.sides {
-            let mut here = Place::new(self.curve, 0.0)?;
-            let (mut from, mut normal) = (0.0, self.start.clone());
-            for &i in side {
-                let to = self.parameters[i];
-                let steps = steps_between(from, to, cuts);
+            let mut here = Place::new(&self.chain[0], 0.0)?;
+            let (mut piece, mut normal) = (0, self.start.clone());
+            for leg in side {
+                let curve = &self.chain[leg.piece];
+                if leg.piece != piece {
+                    let next = Place::new(curve, leg.from)?;
+                    normal = turned(&here, &next, &normal, &here.tangent);
+                    (here, piece) = (next, leg.piece);
+                }
+                let steps = leg.steps(cuts);
                 for step in 1..=steps {
-                    let t = from + (to - from) * (step as f64 / steps as f64);
-                    let next = Place::new(self.curve, if step == steps { to } else { t })?;
-                    normal = carried(&here, &next, &normal);
+                    let t = leg.from + (leg.to - leg.from) * (step as f64 / steps as f64);
+                    let next = Place::new(curve, if step == steps { leg.to } else { t })?;
+                    let chord = plus(&next.point, -1.0, &here.point);
+                    normal = turned(&here, &next, &normal, &chord);
                     here = next;
                 }
-                from = to;
-                normals[i].clone_from(&normal);
+                if let Some(stop) = leg.stop {
+                    normals[stop].clone_from(&normal);
+                }
             }
         }
         Ok(normals)
     }
 }
 
-fn steps_between(from: f64, to: f64, cuts: usize) -> usize {
-    ((to - from).abs() * FIRST_STEPS * cuts as f64).ceil() as usize
+/// The way through stops in this order, over every end of a curve on it.
+fn legs(order: &[usize], stops: &[Stop]) -> Vec<Leg> {
+    let mut legs = Vec::with_capacity(order.len());
+    let mut here = Stop { piece: 0, t: 0.0 };
+    for &i in order {
+        while here.piece < stops[i].piece {
+            legs.push(Leg { piece: here.piece, from: here.t, to: 1.0, stop: None });
+            here = Stop { piece: here.piece + 1, t: 0.0 };
+        }
+        legs.push(Leg { piece: here.piece, from: here.t, to: stops[i].t, stop: Some(i) });
+        here = stops[i];
+    }
+    legs
+}
+
+impl Leg {
+    fn steps(&self, cuts: usize) -> usize {
+        ((self.to - self.from).abs() * FIRST_STEPS * cuts as f64).ceil() as usize
+    }
 }
 
 /// A point of the curve and its unit tangent.
@@ -131,10 +187,12 @@ impl Place {
 }
 
 /// The double reflection: across the plane between the points, then the one between the tangents.
-fn carried(here: &Place, next: &Place, normal: &[f64]) -> Vec<f64> {
-    let chord = plus(&next.point, -1.0, &here.point);
-    let normal = reflected(normal, &chord);
-    let tangent = reflected(&here.tangent, &chord);
+///
+/// Where the chain turns a corner there is no chord, and the tangent stands for it: the shortest
+/// turn from tangent to tangent.
+fn turned(here: &Place, next: &Place, normal: &[f64], chord: &[f64]) -> Vec<f64> {
+    let normal = reflected(normal, chord);
+    let tangent = reflected(&here.tangent, chord);
     let normal = reflected(&normal, &plus(&next.tangent, -1.0, &tangent));
     // Against the drift of rounding: across the tangent again, of length 1.
     unit(&plus(&normal, -dot(&normal, &next.tangent), &next.tangent))

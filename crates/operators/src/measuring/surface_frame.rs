@@ -45,6 +45,18 @@ pub struct SurfaceCurvature {
 }
 
 impl SurfaceFrame {
+    /// The frame of the same surface over windows longer by these factors.
+    pub(crate) fn slowed(self, [u, v]: [f64; 2]) -> Self {
+        let per = |[a, b, c]: [f64; 3]| [a / (u * u), b / (u * v), c / (v * v)];
+        Self {
+            lengths: [self.lengths[0] / u, self.lengths[1] / v],
+            area: self.area / (u * v),
+            first: per(self.first),
+            second: self.second.map(per),
+            ..self
+        }
+    }
+
     /// The same frame with its natural lengths: `f_u`, `f_v` and `f_u × f_v`.
     #[must_use]
     pub fn unnormalised(&self) -> Self {

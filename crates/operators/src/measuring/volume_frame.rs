@@ -23,6 +23,13 @@ pub struct VolumeFrame {
 }
 
 impl VolumeFrame {
+    /// The frame of the same form over windows longer by these factors.
+    pub(crate) fn slowed(self, factors: &[f64]) -> Self {
+        let lengths = self.lengths.iter().zip(factors).map(|(length, k)| length / k).collect();
+        let jacobian = self.jacobian.map(|stretch| stretch / factors.iter().product::<f64>());
+        Self { lengths, jacobian, ..self }
+    }
+
     /// The same frame with the derivatives themselves as tangents.
     #[must_use]
     pub fn unnormalised(&self) -> Self {

@@ -5,6 +5,7 @@ use std::path::Path;
 use pforms_catalogue::{Language, Value};
 use pforms_formats::{Format, Named};
 use pforms_kernel::{Error, Result};
+use pforms_operators::Shape;
 use pforms_scene::{Camera, Scene, Shapes, Style};
 use pforms_sheet::{Address, Sheet, Target, pfs};
 use serde_json::{Map, Value as Json};
@@ -57,13 +58,9 @@ impl Input {
         if let (Content::Forms { forms, .. }, true) = (&self.content, asked.is_empty()) {
             return Ok(forms.clone());
         }
-        let named = |subject: Subject| {
-            let name = subject.name;
-            subject
-                .shapes
-                .forms
-                .into_iter()
-                .map(move |form| Named { name: Some(name.clone()), form })
+        let named = |Subject { name, shapes, .. }: Subject| {
+            let of = |shape: &Shape| Named { name: Some(name.clone()), shape: shape.clone() };
+            shapes.as_slice().iter().map(of).collect::<Vec<_>>()
         };
         Ok(self.subjects(asked)?.into_iter().flat_map(named).collect())
     }
@@ -152,7 +149,7 @@ fn named(stem: &str, forms: &[Named], asked: &[String]) -> Result<Vec<Subject>> 
         }
         subjects.push(Subject {
             name: name.unwrap_or_else(|| stem.to_owned()),
-            shapes: Shapes::of(part.iter().map(|named| named.form.clone()).collect()),
+            shapes: Shapes::of_all(part.iter().map(|named| named.shape.clone()).collect()),
             style: Settings::new(),
         });
     }

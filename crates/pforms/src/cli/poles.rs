@@ -2,6 +2,7 @@
 
 use pforms_catalogue::{Arithmetic, Failure, Language, Value};
 use pforms_kernel::Form;
+use pforms_operators::Knots;
 
 use super::print;
 
@@ -9,7 +10,11 @@ use super::print;
 pub(crate) fn lines<S: Arithmetic>(value: &Value<S>, language: Language) -> Vec<String> {
     match value {
         Value::Form(form) if form.axes() > 0 => with_poles(value, form, language),
-        Value::Spline(pieces) => with_poles(value, pieces.net(), language),
+        Value::Spline(spline) => {
+            let mut all = with_poles(value, spline.net(), language);
+            all.splice(1..1, spline.knots().iter().map(|knots| in_words(knots, language)));
+            all
+        }
         Value::Text(text) => text.lines().map(str::to_owned).collect(),
         Value::List(items) => {
             let mut all = vec![value.kind(language)];
@@ -26,6 +31,16 @@ pub(crate) fn lines<S: Arithmetic>(value: &Value<S>, language: Language) -> Vec<
             .map(|(name, value)| format!("{}: {}", name.get(language), value.display(language)))
             .collect(),
         other => vec![other.display(language)],
+    }
+}
+
+/// The degree and the knots of an axis.
+fn in_words<S: Arithmetic>(knots: &Knots<S>, language: Language) -> String {
+    let list: Vec<String> = knots.as_slice().iter().map(S::write).collect();
+    let (degree, list) = (knots.degree(), list.join(" "));
+    match language {
+        Language::English => format!("degree {degree}, knots {list}"),
+        Language::French => format!("degré {degree}, nœuds {list}"),
     }
 }
 

@@ -25,8 +25,17 @@ impl<S: Scalar> Spline<S> {
         })
     }
 
+    /// The first derivative along `axis`, see [`Spline::derivative`].
+    ///
+    /// Errors: `Shape` when there is no such axis; `Limit`.
+    pub fn hodograph(&self, axis: usize) -> Result<Self> {
+        self.net.require_axis(axis)?;
+        let orders: Vec<usize> = (0..self.axes()).map(|k| usize::from(k == axis)).collect();
+        self.derivative(&orders)
+    }
+
     /// The same spline with a gap at each knot where the derivatives may jump.
-    fn parted_by(&self, orders: &[usize]) -> Result<Self> {
+    pub(crate) fn parted_by(&self, orders: &[usize]) -> Result<Self> {
         let part = |(knots, &order): (&Knots<S>, &usize)| -> Result<Knots<S>> {
             let mut more = Vec::new();
             let breaks = knots.breaks();

@@ -1,18 +1,24 @@
 //! Splines: forms laid end to end, with a knot vector for each axis.
 
+mod combine;
 mod derivative;
 mod evaluate;
 mod knots;
+mod locate;
 mod pieces;
 mod refine;
 mod removal;
 mod rows;
+mod sampled;
 mod shape;
+mod subdivide;
 mod window;
 
 use pforms_kernel::{Error, Form, Result, Scalar};
 
+pub use combine::{midpoint_shapes, stack_shapes};
 pub use knots::Knots;
+pub use locate::Located;
 pub(super) use pieces::indices;
 pub use removal::Removal;
 pub use shape::{Poles, Shape};
@@ -170,9 +176,14 @@ impl<S: Scalar> Spline<S> {
 impl<S: Scalar> From<Form<S>> for Spline<S> {
     /// One piece, on the window from 0 to 1.
     fn from(form: Form<S>) -> Self {
-        let ends = |order: usize| [vec![S::zero(); order], vec![S::one(); order]].concat();
-        let knots = form.orders().iter();
-        let knots = knots.map(|&order| Knots { degree: order - 1, list: ends(order) }).collect();
+        let knots = form.orders().iter().map(|&order| Knots::single(order - 1)).collect();
         Self { net: form, knots }
+    }
+}
+
+impl<S: Scalar> Knots<S> {
+    /// Those of one piece on the window from 0 to 1.
+    pub(super) fn single(degree: usize) -> Self {
+        Self { degree, list: [vec![S::zero(); degree + 1], vec![S::one(); degree + 1]].concat() }
     }
 }

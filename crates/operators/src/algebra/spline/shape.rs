@@ -64,6 +64,13 @@ impl<S: Scalar> Shape<S> {
     }
 }
 
+impl<S: Scalar> From<Spline<S>> for Shape<S> {
+    /// A spline without axes is a point, which is a form.
+    fn from(spline: Spline<S>) -> Self {
+        if spline.axes() == 0 { Self::Form(spline.net().clone()) } else { Self::Spline(spline) }
+    }
+}
+
 impl<S: Scalar> Poles<S> for Shape<S> {
     fn net(&self) -> &Form<S> {
         match self {
@@ -83,11 +90,5 @@ impl<S: Scalar> Poles<S> for Shape<S> {
 impl<S> From<Form<S>> for Shape<S> {
     fn from(form: Form<S>) -> Self {
         Self::Form(form)
-    }
-}
-
-impl<S> From<Spline<S>> for Shape<S> {
-    fn from(spline: Spline<S>) -> Self {
-        Self::Spline(spline)
     }
 }

@@ -21,6 +21,26 @@ impl<S: Scalar> Spline<S> {
         self.refined(knots)
     }
 
+    /// The spline on the windows from `from[k]` to `to[k]`, each counted from 0 to 1 again:
+    /// restricted, extended or, for `from[k] > to[k]`, reversed. Exact but for the rounding of knots.
+    ///
+    /// Errors: `Shape` unless there is one number for each axis; `Domain` for numbers that are not
+    /// finite, or two that are the same.
+    pub fn stretch(&self, from: &[S], to: &[S]) -> Result<Self> {
+        self.net.require_per_axis("a", from)?;
+        self.net.require_per_axis("b", to)?;
+        let mut result = self.clone();
+        for (axis, (a, b)) in from.iter().zip(to).enumerate() {
+            result = if a > b {
+                result.restrict(axis, b, a)?.reverse(axis)?
+            } else {
+                result.restrict(axis, a, b)?
+            };
+            result = result.on_window(axis, &S::zero(), &S::one())?;
+        }
+        Ok(result)
+    }
+
     /// The two parts before and after `t` along `axis`, each with its own parameters. Exact.
     ///
     /// Errors: `Shape` when there is no such axis; `Domain` unless `t` is inside the window.

@@ -13,6 +13,7 @@ mod quick;
 mod region;
 mod rows;
 mod search;
+mod spline;
 mod target;
 mod weight;
 
@@ -22,6 +23,7 @@ use pforms_kernel::{Error, Form, Result, limit, threads};
 use quick::{Quick, Task};
 use rows::Rows;
 use search::Search;
+pub use spline::SplineProjector;
 use target::Target;
 
 /// The nearest points of a form to some points, and how sure that is.
