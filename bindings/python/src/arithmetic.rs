@@ -1,4 +1,4 @@
-//! `a + b`, `2*a - b`, `a/2`: homogeneous combinations.
+//! `a + b`, `2*a - b`, `a/2`: homogeneous combinations; `f*a`: a function times a form.
 
 use pforms_kernel::{Error, Form, Result};
 use pforms_operators::{self as operators, Poles, Shape, combine_shapes};
@@ -9,6 +9,7 @@ use crate::arguments::{real, require_finite};
 use crate::errors::done;
 use crate::form::PyForm;
 use crate::shapes::object;
+use crate::slices::require_feasible;
 use crate::spline::PySpline;
 
 #[pymethods]
@@ -64,6 +65,9 @@ impl PyForm {
 
     fn times<'py>(&self, factor: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
         let py = factor.py();
+        if let Ok(other) = factor.cast::<Self>() {
+            return self.times_form(&other.get().form, py);
+        }
         let Some(factor) = number(factor) else { return Ok(not_implemented(py)) };
         require_finite("factor", &[factor])?;
         Ok(Bound::new(py, combined(py, &[factor], &[&self.form])?)?.into_any())
@@ -150,6 +154,19 @@ impl PySpline {
 
     fn multiplied(&self, py: Python<'_>, factor: f64) -> PyResult<Self> {
         self.worked(py, |spline| spline.with_net(operators::combine(&[factor], &[spline.net()])?))
+    }
+}
+
+impl PyForm {
+    /// A product of values: one of the two is a function, a form in one dimension.
+    fn times_form<'py>(&self, other: &Form, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        if self.form.ambient() > 1 && other.ambient() > 1 {
+            return Ok(not_implemented(py));
+        }
+        let cost = self.form.homogeneous().len().saturating_mul(other.homogeneous().len());
+        require_feasible("the product", cost as f64)?;
+        let product = done(py, cost, || operators::multiply(&self.form, other))?;
+        Ok(Bound::new(py, Self::from(product))?.into_any())
     }
 }
 

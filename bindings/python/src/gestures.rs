@@ -7,7 +7,7 @@ use pforms_operators::{self as operators, Poles, Shape};
 use pyo3::prelude::*;
 use pyo3::types::{PyList, PyString, PyTuple};
 
-use crate::arguments::{level, real, reals, whole};
+use crate::arguments::{level, real, whole};
 use crate::errors::{done, fail, mistyped};
 use crate::outputs::{array, filled};
 use crate::parameters::Parameters;
@@ -70,35 +70,6 @@ fn of_shapes<'py>(
     let list = shapes::several("forms", given)?;
     let cost = list.iter().map(|shape| shape.net().homogeneous().len()).sum();
     shapes::object(given.py(), done(given.py(), cost, || operator(&list))?)
-}
-
-/// Σ kᵢ·fᵢ on the homogeneous poles, orders raised as needed; a point is the same everywhere.
-///
-/// ``Σk = 1`` gives points from points, ``Σk = 0`` directions.
-///
-/// Parameters
-/// ----------
-/// k : sequence of float
-/// *forms : Form or Spline
-///     As many as numbers, one by one or in a list.
-///
-/// Raises
-/// ------
-/// ShapeError, DomainError
-///     When counts, axes or spaces differ; for NaN.
-///
-/// Examples
-/// --------
-/// >>> pf.combine([2, -1], pf.Form((0, 0)), pf.Form((1, 2))).poles
-/// array([-1., -2.])
-#[pyfunction]
-#[pyo3(signature = (k, *forms))]
-pub(crate) fn combine<'py>(
-    k: &Bound<'py, PyAny>,
-    forms: &Bound<'py, PyTuple>,
-) -> PyResult<Bound<'py, PyAny>> {
-    let k = reals("k", k, 1)?;
-    of_shapes(forms, |shapes| operators::combine_shapes(&k, shapes, false))
 }
 
 /// The 2**r + 1 numbers that halving [a, b] again and again leaves.

@@ -7,6 +7,7 @@ mod arguments;
 mod arithmetic;
 mod arrays;
 mod columns;
+mod combining;
 mod composing;
 mod drawing;
 mod errors;
@@ -51,6 +52,8 @@ mod view;
 #[pyo3::pymodule]
 mod _pforms {
     #[pymodule_export]
+    use crate::combining::{combine, cube, extrude, facet, line, ruled, symmetric};
+    #[pymodule_export]
     use crate::composing::{affine_matrix, affine_sweep};
     #[pymodule_export]
     use crate::drawing::_draw_forms;
@@ -59,7 +62,7 @@ mod _pforms {
     #[pymodule_export]
     use crate::form::PyForm;
     #[pymodule_export]
-    use crate::gestures::{bernstein, combine, explain, midpoint, partition, pascal, stack};
+    use crate::gestures::{bernstein, explain, midpoint, partition, pascal, stack};
     #[pymodule_export]
     use crate::grids::grid;
     #[pymodule_export]

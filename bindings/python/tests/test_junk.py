@@ -48,6 +48,7 @@ NAMES = [
     "stack",
     "stretch", "sub", "subdivide", "tile", "transpose", "whole_line", "with_pole", "Form",
     "Immersed",
+    "cube", "extrude", "facet", "line", "ruled", "symmetric",
     "mirror", "project_to_plane", "rotate", "scale", "shear", "transform", "translate",
 ]  # fmt: skip
 KEYWORDS = [

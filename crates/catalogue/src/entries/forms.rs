@@ -1,7 +1,6 @@
 //! Poles, weights and orders: what a form is made of.
 
 use pforms_kernel::{Form, Rational};
-use pforms_operators as operators;
 
 use super::{FORM, Outcome, PLAIN, list_of_numbers};
 use crate::operator::call;
@@ -160,38 +159,6 @@ pub(super) static ENTRIES: &[Operator] = &[
         call: call!(coordinates),
         ..PLAIN
     },
-    Operator {
-        name: "combine",
-        english: &["COMBINE"],
-        french: &["COMBINE"],
-        summary: words(
-            "A sum of forms with coefficients.",
-            "Une somme de formes affectées de coefficients.",
-        ),
-        help: words(
-            "Homogeneous: coefficients that sum to 1 give points, to 0 directions. Orders are raised.",
-            "Homogène : des coefficients de somme 1 donnent des points, de somme 0 des directions. Les \
-             ordres sont élevés.",
-        ),
-        parameters: &[
-            Parameter::new(
-                Takes::List,
-                words("k", "k"),
-                words("A coefficient for each form.", "Un coefficient par forme."),
-            ),
-            Parameter::new(
-                Takes::Form,
-                words("forms", "formes"),
-                words("The forms.", "Les formes."),
-            )
-            .variadic(),
-        ],
-        example: "=COMBINE([2, -1], (0, 0), (1, 2))",
-        source: "book 33",
-        see: &["midpoint"],
-        call: call!(combine),
-        ..PLAIN
-    },
 ];
 
 fn form<S: Arithmetic>(a: &Bound<S>) -> Outcome<S> {
@@ -245,10 +212,4 @@ fn kind<S: Arithmetic>(a: &Bound<S>) -> Outcome<S> {
 
 fn coordinates<S: Arithmetic>(a: &Bound<S>) -> Outcome<S> {
     Ok(list_of_numbers(a.point(0)?.points()?))
-}
-
-fn combine<S: Arithmetic>(a: &Bound<S>) -> Outcome<S> {
-    let k: Vec<S> = a.list(0)?.iter().map(|x| a.number_of(0, x)).collect::<Result<_, _>>()?;
-    let forms = a.forms(1)?;
-    Ok(operators::combine(&k, &forms.iter().collect::<Vec<_>>())?.into())
 }

@@ -3,6 +3,7 @@
 // Routines share one signature, those that cannot fail too.
 #![allow(clippy::unnecessary_wraps)]
 
+mod combining;
 mod conditions;
 mod conics;
 mod evaluating;
@@ -25,6 +26,7 @@ mod projecting;
 mod quadrics;
 mod spanning;
 mod splining;
+mod spreading;
 mod sweeping;
 mod through_points;
 mod transforming;
@@ -63,6 +65,8 @@ pub(crate) fn all() -> Vec<Operator> {
         knotting::ENTRIES,
         joining::ENTRIES,
         lengths::ENTRIES,
+        combining::ENTRIES,
+        spreading::ENTRIES,
         forms::ENTRIES,
         pieces::ENTRIES,
         &numbers,
