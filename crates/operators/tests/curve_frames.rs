@@ -252,3 +252,16 @@ fn dense_parameters_far_from_0_keep_their_accuracy_and_distant_ones_are_refused(
         assert_eq!(curve_frames(&curve, &[far], kind, 1e-3).unwrap_err().family(), "Domain");
     }
 }
+
+#[test]
+fn many_parameters_do_not_make_minimising_frames_less_accurate() {
+    let path = [0., 0., 0., 2., 0., 1., -1., 2., 0., 1., 2., 3., 0., 0., 2.];
+    let path: Form = Form::from_points(&[5], 3, &path, None).unwrap();
+    let kind = FrameKind::RotationMinimising;
+    let dense: Vec<f64> = (0..=1000).map(|i| f64::from(i) / 1000.0).collect();
+    let many = curve_frames(&path, &dense, kind, 1e-12).unwrap();
+    let one = curve_frames(&path, &[1.0], kind, 1e-12).unwrap();
+    // Each is within the accuracy of the true one.
+    let (a, b) = (many[1000].normal.clone().unwrap(), one[0].normal.clone().unwrap());
+    assert!(distance(&a, &b) < 2e-12, "{}", distance(&a, &b));
+}

@@ -8,6 +8,8 @@
 
 use pforms_kernel::{Error, Form, Result, Scalar, limit};
 
+use super::Spline;
+
 /// The form that a form of matrices makes of a section: axes of the matrices first, then the
 /// section's own.
 ///
@@ -44,6 +46,18 @@ pub fn affine_sweep<S: Scalar>(matrix: &Form<S>, section: &Form<S>) -> Result<Fo
         }
     }
     Form::from_homogeneous(&orders, rows - 1, poles)
+}
+
+/// [`affine_sweep`] of splines: knots of the matrices, then those of the section. Exact: piece by
+/// piece it is the sweep of the pieces.
+///
+/// Errors: as [`affine_sweep`].
+pub fn affine_sweep_spline<S: Scalar>(
+    matrix: &Spline<S>,
+    section: &Spline<S>,
+) -> Result<Spline<S>> {
+    let net = affine_sweep(matrix.net(), section.net())?;
+    Spline::on(net, [matrix.knots(), section.knots()].concat())
 }
 
 /// Rows of the matrices, when they fit the section.

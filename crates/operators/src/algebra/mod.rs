@@ -41,7 +41,7 @@ mod translate;
 mod turn;
 
 pub use affine_matrix::affine_matrix;
-pub use affine_sweep::affine_sweep;
+pub use affine_sweep::{affine_sweep, affine_sweep_spline};
 pub use blossom::blossom;
 pub use combine::{combine, combine_shapes};
 pub use derivative::{derivative, hodograph};

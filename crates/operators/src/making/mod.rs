@@ -14,6 +14,7 @@ mod least_squares;
 mod nodes;
 mod offset_poles;
 mod parallel;
+mod pipe;
 mod rational;
 mod remove_knots;
 mod tangent_developable;
@@ -36,6 +37,7 @@ pub use join_forms::{Joined, Smoothness, join_forms};
 pub use nodes::Nodes;
 pub use offset_poles::offset_poles;
 pub use parallel::{Distance, Parallel, ParallelOptions, Side, parallel, shell};
+pub use pipe::{Law, Pipe, PipeOptions, pipe};
 pub use rational::{
     Bicubic, arc, bezier_cone, bezier_cylinder, bezier_sphere, bezier_torus, hyperbola, revolve,
     torus_knot,

@@ -7,7 +7,7 @@
 use pforms_kernel::{Error, Form, Result};
 
 use super::curve_frame::{CurveFrame, Station};
-use super::vector::{dot, norm, plus, unit};
+use super::vector::{any_normal, dot, norm, plus, unit};
 use crate::{Located, Spline};
 
 /// Steps that a unit of parameter is cut into at first.
@@ -88,6 +88,8 @@ struct Walk<'a> {
     chain: &'a [Form],
     count: usize,
     start: Vec<f64>,
+    /// First steps in a unit of parameter: no longer than the longest leg.
+    pace: f64,
     sides: [Vec<Leg>; 2],
 }
 
@@ -115,11 +117,15 @@ impl<'a> Walk<'a> {
             });
             legs(&order, stops)
         };
-        Ok(Self { chain, count: stops.len(), start, sides: [side(false), side(true)] })
+        let sides = [side(false), side(true)];
+        let legs = sides.iter().flatten();
+        let longest = legs.map(|leg| (leg.to - leg.from).abs()).fold(0.0, f64::max);
+        let pace = (1.0 / longest).clamp(FIRST_STEPS, MOST_STEPS as f64);
+        Ok(Self { chain, count: stops.len(), start, pace, sides })
     }
 
     fn steps(&self, cuts: usize) -> usize {
-        self.sides.iter().flatten().map(|leg| leg.steps(cuts)).sum()
+        self.sides.iter().flatten().map(|leg| leg.steps(self.pace, cuts)).sum()
     }
 
     /// The normal at every stop, in steps `cuts` times shorter than the first.
@@ -135,7 +141,7 @@ impl<'a> Walk<'a> {
                     normal = turned(&here, &next, &normal, &here.tangent);
                     (here, piece) = (next, leg.piece);
                 }
-                let steps = leg.steps(cuts);
+                let steps = leg.steps(self.pace, cuts);
                 for step in 1..=steps {
                     let t = leg.from + (leg.to - leg.from) * (step as f64 / steps as f64);
                     let next = Place::new(curve, if step == steps { leg.to } else { t })?;
@@ -168,8 +174,14 @@ fn legs(order: &[usize], stops: &[Stop]) -> Vec<Leg> {
 }
 
 impl Leg {
-    fn steps(&self, cuts: usize) -> usize {
-        ((self.to - self.from).abs() * FIRST_STEPS * cuts as f64).ceil() as usize
+    /// Steps when the first are cut so often. Those legs that a first step about covers set the
+    /// error: their steps are exactly halved by twice the cuts, which is what the estimate asks.
+    fn steps(&self, pace: f64, cuts: usize) -> usize {
+        let first = (self.to - self.from).abs() * pace;
+        if first >= 0.5 {
+            return first.ceil() as usize * cuts;
+        }
+        (first * cuts as f64).ceil() as usize
     }
 }
 
@@ -205,14 +217,4 @@ fn reflected(vector: &[f64], axis: &[f64]) -> Vec<f64> {
         return vector.to_vec();
     }
     plus(vector, -2.0 * dot(axis, vector) / square, axis)
-}
-
-/// A unit vector across the tangent: from the coordinate axis it leans on least.
-fn any_normal(tangent: &[f64]) -> Vec<f64> {
-    let least = (0..tangent.len())
-        .min_by(|&i, &j| tangent[i].abs().total_cmp(&tangent[j].abs()))
-        .unwrap_or(0);
-    let mut axis = vec![0.0; tangent.len()];
-    axis[least] = 1.0;
-    unit(&plus(&axis, -dot(&axis, tangent), tangent))
 }
