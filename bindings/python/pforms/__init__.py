@@ -66,6 +66,7 @@ from pforms._pforms import (
     parameter_at_length,
     partition,
     pascal,
+    pipe,
     polyline,
     project_to_plane,
     remove_knots,
@@ -91,6 +92,7 @@ from pforms._pforms import (
     translate,
     unroll,
     viviani,
+    waving_pipe,
 )
 from pforms.either import either
 from pforms.errors import (
@@ -114,6 +116,7 @@ from pforms.records import (
     Length,
     Mesh,
     Parallel,
+    Pipe,
     Polyline,
     Projection,
     Simplified,
@@ -168,6 +171,7 @@ __all__ = [
     "Mesh",
     "Parallel",
     "PformsError",
+    "Pipe",
     "Polyline",
     "Projection",
     "ShapeError",
@@ -239,6 +243,7 @@ __all__ = [
     "parameter_at_length",
     "partition",
     "pascal",
+    "pipe",
     "polyline",
     "project",
     "project_to_plane",
@@ -276,6 +281,7 @@ __all__ = [
     "unroll",
     "unstack",
     "viviani",
+    "waving_pipe",
     "whole_line",
     "with_pole",
 ]

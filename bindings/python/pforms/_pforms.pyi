@@ -17,6 +17,7 @@ from pforms.records import (
     Length,
     Mesh,
     Parallel,
+    Pipe,
     Projection,
     Simplified,
     UnitSpeed,
@@ -91,6 +92,7 @@ __all__ = [
     "parameter_at_length",
     "partition",
     "pascal",
+    "pipe",
     "polyline",
     "project_to_plane",
     "remove_knots",
@@ -113,6 +115,7 @@ __all__ = [
     "transform",
     "translate",
     "viviani",
+    "waving_pipe",
 ]
 
 __version__: Final[str]
@@ -811,7 +814,12 @@ def combine(
     *forms: Form | Spline | Iterable[Form | Spline],
     pointwise: bool = False,
 ) -> Form | Spline: ...
-def affine_sweep(matrix: ArrayLike | Form, section: Form) -> Form: ...
+@overload
+def affine_sweep(matrix: Spline, section: ArrayLike | Form | Spline) -> Spline: ...
+@overload
+def affine_sweep(matrix: ArrayLike | Form, section: Spline) -> Spline: ...
+@overload
+def affine_sweep(matrix: ArrayLike | Form, section: ArrayLike | Form) -> Form: ...
 def affine_matrix(*columns: Form | Iterable[Form]) -> Form: ...
 @overload
 def coons(
@@ -825,6 +833,54 @@ def coons(
     accuracy: float = 1e-9,
     pointwise: bool = False,
 ) -> Form | Spline: ...
+@overload
+def pipe(
+    path: ArrayLike | Form | Spline,
+    section: ArrayLike | Form | Spline,
+    *,
+    radius: ArrayLike | Form | Spline = 1,
+    twist: ArrayLike | Form | Spline = 0,
+    frame: Literal["rotation-minimising", "frenet"] = "rotation-minimising",
+    tolerance: _Number | None = None,
+    closed: bool | None = None,
+    report: Literal[False] = False,
+) -> Spline: ...
+@overload
+def pipe(
+    path: ArrayLike | Form | Spline,
+    section: ArrayLike | Form | Spline,
+    *,
+    radius: ArrayLike | Form | Spline = 1,
+    twist: ArrayLike | Form | Spline = 0,
+    frame: Literal["rotation-minimising", "frenet"] = "rotation-minimising",
+    tolerance: _Number | None = None,
+    closed: bool | None = None,
+    report: Literal[True],
+) -> Pipe: ...
+@overload
+def waving_pipe(
+    path: ArrayLike | Form | Spline,
+    section: ArrayLike | Form | Spline,
+    amplitude: _Number,
+    periods: _Number,
+    *,
+    radius: _Number = 1,
+    frame: Literal["rotation-minimising", "frenet"] = "rotation-minimising",
+    tolerance: _Number | None = None,
+    report: Literal[False] = False,
+) -> Spline: ...
+@overload
+def waving_pipe(
+    path: ArrayLike | Form | Spline,
+    section: ArrayLike | Form | Spline,
+    amplitude: _Number,
+    periods: _Number,
+    *,
+    radius: _Number = 1,
+    frame: Literal["rotation-minimising", "frenet"] = "rotation-minimising",
+    tolerance: _Number | None = None,
+    report: Literal[True],
+) -> Pipe: ...
 def partition(a: _Number, b: _Number, r: int) -> _Array: ...
 def bernstein(n: int, i: int, t: ArrayLike) -> _Array: ...
 def pascal(n: int) -> list[int]: ...

@@ -1,15 +1,16 @@
 //! Forms composed of forms: matrices that move a section along.
 
 use pforms_kernel::{Error, Form};
-use pforms_operators as operators;
+use pforms_operators::{self as operators, Poles, Shape};
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
 
-use crate::arguments::form;
 use crate::arrays::Numbers;
 use crate::errors::{done, fail, raised, renamed};
 use crate::form::PyForm;
 use crate::forms::Forms;
+use crate::shapes;
+use crate::spline::PySpline;
 
 /// What a form of matrices makes of a section: AFFINE(u, …)·section(v, …), exactly.
 ///
@@ -22,7 +23,12 @@ use crate::forms::Forms;
 ///     The matrices, as poles; c is one more than the dimension of the section, r one more than
 ///     that of the result. A form has their entries, row by row, for homogeneous coordinates:
 ///     :func:`affine_matrix` makes one from its columns.
-/// section : Form
+///     A :class:`Spline` of matrices will do too.
+/// section : Form or Spline
+///
+/// Returns
+/// -------
+/// Form, or Spline if one of them is
 ///
 /// Raises
 /// ------
@@ -38,25 +44,35 @@ use crate::forms::Forms;
 ///        [2., 5.]])
 #[pyfunction]
 #[pyo3(signature = (matrix, section))]
-pub(crate) fn affine_sweep(
-    matrix: &Bound<'_, PyAny>,
-    section: &Bound<'_, PyAny>,
-) -> PyResult<PyForm> {
+pub(crate) fn affine_sweep<'py>(
+    matrix: &Bound<'py, PyAny>,
+    section: &Bound<'py, PyAny>,
+) -> PyResult<Bound<'py, PyAny>> {
     let py = matrix.py();
-    let (matrix, section) = (matrices(matrix)?, form("section", section)?);
-    let cost = matrix.homogeneous().len().saturating_mul(section.pole_count());
-    done(py, cost, || operators::affine_sweep(&matrix, &section)).map(PyForm::from)
+    let (matrix, section) = (matrices(matrix)?, shapes::read("section", section)?);
+    let cost = matrix.net().homogeneous().len().saturating_mul(section.net().pole_count());
+    let swept = done(py, cost, || match (matrix, section) {
+        (Shape::Form(matrix), Shape::Form(section)) => {
+            operators::affine_sweep(&matrix, &section).map(Shape::from)
+        }
+        (matrix, section) => {
+            operators::affine_sweep_spline(&matrix.into_spline(), &section.into_spline())
+                .map(Shape::from)
+        }
+    })?;
+    shapes::object(py, swept)
 }
 
-/// A form of matrices, or an array of them: its last two axes are rows and columns.
-fn matrices(given: &Bound<'_, PyAny>) -> PyResult<Form> {
-    if let Ok(matrix) = given.cast::<PyForm>() {
-        return Ok(matrix.get().form.clone());
+/// A form or spline of matrices, or an array of them: its last two axes are rows and columns.
+fn matrices(given: &Bound<'_, PyAny>) -> PyResult<Shape> {
+    if given.is_instance_of::<PyForm>() || given.is_instance_of::<PySpline>() {
+        return shapes::read("matrix", given);
     }
     let numbers = Numbers::read("matrix", given)?;
     match numbers.shape() {
         [orders @ .., rows, columns] if rows * columns >= 2 => {
             Form::from_homogeneous(orders, rows * columns - 1, numbers.values().to_vec())
+                .map(Shape::from)
                 .map_err(|error| raised(&renamed(error, "poles", "matrix")))
         }
         shape => fail(&Error::shape(

@@ -27,6 +27,7 @@ mod offsetting;
 mod operators;
 mod outputs;
 mod parameters;
+mod piping;
 mod points;
 mod products;
 mod projecting;
@@ -79,6 +80,8 @@ mod _pforms {
     use crate::offsetting::{
         is_developable, offset_poles, parallel, shell, tangent_developable, unroll,
     };
+    #[pymodule_export]
+    use crate::piping::{pipe, waving_pipe};
     #[pymodule_export]
     use crate::products::{cross, revolve};
     #[pymodule_export]

@@ -64,6 +64,20 @@ def offset(operator):
     return call
 
 
+# What a formula calls by other words.
+TUBE_PARTS = {"tube": "spline", "error": "error", "bending": "bending", "closing": "closing"}
+
+
+def tube(of):
+    """A tube as the cases ask for it: one of its points, or what is known of it."""
+
+    def call(*arguments, part="tube", at=None, **more):
+        made = of(*arguments, report=True, **more)._asdict()[TUBE_PARTS[part]]
+        return made if at is None else made(*at)
+
+    return call
+
+
 def unrolled(f, part=None):
     found = pf.unroll(f, report=True)
     return getattr(found, part) if part else found.spline.net
@@ -188,6 +202,8 @@ CALLS = {
     "shell": offset(pf.shell),
     "tangent_developable": pf.tangent_developable,
     "unroll": unrolled,
+    "pipe": tube(pf.pipe),
+    "waving_pipe": tube(pf.waving_pipe),
     "polyline": lambda host, *points: pf.polyline(host, [p.poles for p in points]),
     "tangent_form": pf.tangent_form,
     "weights": lambda f: f.weights.tolist(),

@@ -21,6 +21,7 @@ mod mirroring;
 mod numbers;
 mod offsetting;
 mod pieces;
+mod piping;
 mod products;
 mod projecting;
 mod quadrics;
@@ -56,6 +57,7 @@ pub(crate) fn all() -> Vec<Operator> {
         quadrics::ENTRIES,
         products::ENTRIES,
         offsetting::ENTRIES,
+        piping::ENTRIES,
         projecting::ENTRIES,
         transforming::ENTRIES,
         turning::ENTRIES,

@@ -1,7 +1,7 @@
 //! Matrices that move a section along.
 
 use pforms_kernel::{Form, Rational};
-use pforms_operators as operators;
+use pforms_operators::{self as operators, Poles, Shape};
 
 use super::{Outcome, PLAIN};
 use crate::cost::{multipliable, require_sweepable};
@@ -80,9 +80,16 @@ pub(super) static ENTRIES: &[Operator] = &[
 ];
 
 fn affine_sweep<S: Arithmetic>(a: &Bound<S>) -> Outcome<S> {
-    let (matrix, section) = (a.form(0)?, a.form(1)?);
-    require_sweepable(&matrix, &section)?;
-    Ok(operators::affine_sweep(&matrix, &section)?.into())
+    let (matrix, section) = (a.shape(0)?, a.shape(1)?);
+    require_sweepable(matrix.net(), section.net())?;
+    Ok(match (matrix, section) {
+        (Shape::Form(matrix), Shape::Form(section)) => {
+            operators::affine_sweep(&matrix, &section)?.into()
+        }
+        (matrix, section) => {
+            operators::affine_sweep_spline(&matrix.into_spline(), &section.into_spline())?.into()
+        }
+    })
 }
 
 fn affine_matrix<S: Arithmetic>(a: &Bound<S>) -> Outcome<S> {

@@ -226,7 +226,7 @@ fn seam(shaped: &[Shaped], section: &Section) -> f64 {
 }
 
 /// Parameters of each piece at which bending is measured.
-const STATIONS: [f64; 5] = [0.1, 0.3, 0.5, 0.7, 0.9];
+const STATIONS: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
 
 /// Curvature times the offset towards its centre, at its largest among samples.
 fn bending(shaped: &[Shaped], section: &Section) -> f64 {
