@@ -3,7 +3,7 @@
 use pforms_formats::{Format, Named, obj, write_scene};
 use pforms_formula::{Address, Range, decimal};
 use pforms_kernel::{Form, Result};
-use pforms_operators::{Knots, Shape};
+use pforms_operators::Shape;
 use pforms_scene::{Camera, Mode, Scene, Shapes, Style};
 use pforms_sheet::{Settings, Sheet};
 
@@ -104,20 +104,28 @@ fn literal(shape: &Shape) -> String {
     match shape {
         Shape::Form(form) => net(form),
         Shape::Spline(spline) => {
-            let degrees: Vec<String> = spline.degrees().iter().map(usize::to_string).collect();
-            let list = |knots: &Knots| {
-                let numbers: Vec<String> = knots.as_slice().iter().map(|t| decimal(*t)).collect();
+            let list = |numbers: &[f64]| {
+                let numbers: Vec<String> = numbers.iter().map(|x| decimal(*x)).collect();
                 format!("[{}]", numbers.join(", "))
             };
-            let knots: Vec<String> = spline.knots().iter().map(list).collect();
-            let (degrees, knots) = (degrees.join(", "), knots.join(", "));
-            format!("=NURBS({}, [{degrees}], [{knots}])", net(spline.net()))
+            let poles = spline.net();
+            let weights = match poles.uniform_weight() {
+                Some(weight) => decimal(*weight),
+                None => list(&poles.weights()),
+            };
+            let knots: Vec<String> =
+                spline.knots().iter().map(|knots| list(knots.as_slice())).collect();
+            format!("=NURBS({}, {weights}, [{}])", nested(poles, coordinates), knots.join(", "))
         }
     }
 }
 
-/// The poles as nested lists.
+/// The poles as nested lists of points with their weights.
 fn net(form: &Form) -> String {
+    nested(form, point)
+}
+
+fn nested(form: &Form, point: impl Fn(&[f64]) -> String) -> String {
     let mut points: Vec<String> = form.homogeneous().chunks(form.width()).map(point).collect();
     for order in form.orders().iter().rev() {
         points = points.chunks(*order).map(|row| format!("[{}]", row.join(", "))).collect();
@@ -126,14 +134,22 @@ fn net(form: &Form) -> String {
 }
 
 fn point(pole: &[f64]) -> String {
+    let plain = coordinates(pole);
+    match pole.last() {
+        None | Some(1.0) => plain,
+        Some(weight) => {
+            let inside = plain.trim_end_matches(')').trim_end_matches(',');
+            format!("{inside}; {})", decimal(*weight))
+        }
+    }
+}
+
+/// The point without its weight; of weight 0 the direction.
+fn coordinates(pole: &[f64]) -> String {
     let Some((weight, coordinates)) = pole.split_last() else { return String::new() };
     let divisor = if *weight == 0.0 { 1.0 } else { *weight };
     let numbers: Vec<String> = coordinates.iter().map(|x| decimal(x / divisor)).collect();
-    let tail = match *weight {
-        1.0 if numbers.len() == 1 => ",".to_owned(),
-        1.0 => String::new(),
-        weight => format!("; {}", decimal(weight)),
-    };
+    let tail = if numbers.len() == 1 { "," } else { "" };
     format!("({}{tail})", numbers.join(", "))
 }
 

@@ -64,6 +64,11 @@ impl<S: Arithmetic> Bound<S> {
         self.shape_of(index, &self.value(index))
     }
 
+    /// All forms and splines of a parameter that takes several.
+    pub(crate) fn shapes(&self, index: usize) -> Result<Vec<Shape<S>>, Failure> {
+        self.all(index).iter().map(|value| self.shape_of(index, value)).collect()
+    }
+
     pub(crate) fn shape_of(&self, index: usize, value: &Value<S>) -> Result<Shape<S>, Failure> {
         match value {
             Value::Spline(spline) => Ok(spline.clone().into()),

@@ -5,7 +5,7 @@
 //! and as roughly in exact mode. Rust and Python may go beyond.
 
 use pforms_kernel::{Error, Form, Kind};
-use pforms_operators::Immersed;
+use pforms_operators::{Immersed, Knots, Shape, Spline};
 
 use crate::{Arithmetic, Failure};
 
@@ -17,6 +17,23 @@ fn cap<S: Arithmetic>() -> f64 {
 /// The form, if a dense matrix may act along each of its axes: `order³` to make one.
 pub(crate) fn workable<S: Arithmetic>(form: Form<S>) -> Result<Form<S>, Failure> {
     workable_at(form, &[])
+}
+
+/// The spline, if every pole may be mixed with its neighbours along each axis.
+pub(crate) fn workable_spline<S: Arithmetic>(spline: Spline<S>) -> Result<Spline<S>, Failure> {
+    let squares = spline.degrees().into_iter().map(|degree| ((degree + 1) as f64).powi(2));
+    let (net, knots) = (spline.net(), spline.knots().iter().map(Knots::as_slice).map(longest));
+    let bits = longest(net.homogeneous()) + knots.fold(0.0, f64::max);
+    require::<S>(net.homogeneous().len() as f64 * squares.sum::<f64>() * long(bits))?;
+    Ok(spline)
+}
+
+/// [`workable`] or [`workable_spline`].
+pub(crate) fn workable_shape<S: Arithmetic>(shape: Shape<S>) -> Result<Shape<S>, Failure> {
+    match shape {
+        Shape::Form(form) => workable(form).map(Shape::Form),
+        Shape::Spline(spline) => workable_spline(spline).map(Shape::Spline),
+    }
 }
 
 /// [`workable`] for a matrix of powers of `parameters`.

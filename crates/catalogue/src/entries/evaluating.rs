@@ -1,9 +1,9 @@
 //! Points, derivatives and the polar form.
 
 use pforms_kernel::{Form, Rational};
-use pforms_operators as operators;
+use pforms_operators::{self as operators, Poles, Shape, Spline};
 
-use super::{AXIS, FORM, Outcome, PLAIN};
+use super::{AXIS, FORM, Outcome, PLAIN, of_either};
 use crate::cost::{longest, multipliable, require_points, workable};
 use crate::operator::{Group, call};
 use crate::parameter::Fallback;
@@ -59,9 +59,11 @@ pub(super) static ENTRIES: &[Operator] = &[
             "Des points d'une forme sur une grille régulière.",
         ),
         help: words(
-            "A net of as many points along each axis, both ends of the window included. \
+            "A net of as many points along each axis, both ends of the window included (that of its \
+             knots, for a spline). \
              INTERPOLATE(GRID(f, ORDERS(f))) is f again when it is polynomial.",
-            "Un réseau d'autant de points le long de chaque axe, bords compris. \
+            "Un réseau d'autant de points le long de chaque axe, bords compris (ceux des noeuds, pour \
+             une spline). \
              INTERPOLE(GRILLE(f, ORDRES(f))) redonne f quand elle est polynomiale.",
         ),
         parameters: &[
@@ -216,19 +218,30 @@ fn point_at<'a, S: Arithmetic>(
 }
 
 fn grid<S: Arithmetic>(a: &Bound<S>) -> Outcome<S> {
-    let form = a.form(0)?;
-    let counts = a.wholes(1, form.axes())?;
+    let shape = a.shape(0)?;
+    let net = shape.net();
+    let counts = a.wholes(1, net.axes())?;
     let total = counts.iter().try_fold(1usize, |product, &count| product.checked_mul(count));
     let Some(total) = total.filter(|&total| total <= LIST_CAP) else {
         return Err(a.refused(1, &a.value(1), words("fewer points", "moins de points")));
     };
     let finest = counts.iter().copied().max().unwrap_or(1);
-    require_points(&form, total, longest(&[S::ratio(1, finest as i64)]))?;
-    let mut points = Vec::with_capacity(total * form.ambient());
-    for flat in 0..total {
-        points.extend(form.at(&parameters_of(flat, &counts))?);
+    let bits = longest(&[S::ratio(1, finest as i64)]);
+    match &shape {
+        Shape::Form(form) => require_points(form, total, bits)?,
+        Shape::Spline(spline) => {
+            require_points(&spline.piece(&vec![0; net.axes()])?, total, bits)?;
+        }
     }
-    Ok(Form::from_points(&counts, form.ambient(), &points, None)?.into())
+    let mut points = Vec::with_capacity(total * net.ambient());
+    for flat in 0..total {
+        let at = parameters_of(flat, &counts);
+        points.extend(match &shape {
+            Shape::Form(form) => form.at(&at)?,
+            Shape::Spline(spline) => spline.at(&in_window(spline, at)?)?,
+        });
+    }
+    Ok(Form::from_points(&counts, net.ambient(), &points, None)?.into())
 }
 
 /// The parameters of point number `flat` of a regular grid, the last axis fastest.
@@ -247,13 +260,33 @@ fn parameters_of<S: Arithmetic>(flat: usize, counts: &[usize]) -> Vec<S> {
     parameters
 }
 
+/// Shares of the window as parameters of the spline.
+fn in_window<S: Arithmetic>(spline: &Spline<S>, shares: Vec<S>) -> Result<Vec<S>, Failure> {
+    let place = |(axis, share): (usize, S)| -> Result<S, Failure> {
+        let (from, to) = spline.window(axis)?;
+        Ok(if share == S::one() { to } else { from.clone() + share * (to - from) })
+    };
+    shares.into_iter().enumerate().map(place).collect()
+}
+
 fn derivative<S: Arithmetic>(a: &Bound<S>) -> Outcome<S> {
-    let form = multipliable(a.form(0)?)?;
-    Ok(operators::derivative(&form, &a.wholes(1, form.axes())?)?.into())
+    of_either(
+        a,
+        |form| {
+            let form = multipliable(form)?;
+            Ok(operators::derivative(&form, &a.wholes(1, form.axes())?)?)
+        },
+        |spline| {
+            multipliable(spline.piece(&vec![0; spline.axes()])?)?;
+            Ok(spline.derivative(&a.wholes(1, spline.axes())?)?)
+        },
+    )
 }
 
 fn hodograph<S: Arithmetic>(a: &Bound<S>) -> Outcome<S> {
-    Ok(operators::hodograph(&multipliable(a.form(0)?)?, a.whole(1)?)?.into())
+    let axis = a.whole(1)?;
+    let form = |form| Ok(operators::hodograph(&multipliable(form)?, axis)?);
+    of_either(a, form, |spline| Ok(spline.hodograph(axis)?))
 }
 
 fn blossom<S: Arithmetic>(a: &Bound<S>) -> Outcome<S> {

@@ -1,6 +1,7 @@
 //! Poles, weights and orders: what a form is made of.
 
 use pforms_kernel::{Form, Rational};
+use pforms_operators::Poles;
 
 use super::{FORM, Outcome, PLAIN, list_of_numbers};
 use crate::operator::call;
@@ -166,7 +167,8 @@ fn form<S: Arithmetic>(a: &Bound<S>) -> Outcome<S> {
 }
 
 fn pole<S: Arithmetic>(a: &Bound<S>) -> Outcome<S> {
-    let form = a.form(0)?;
+    let shape = a.shape(0)?;
+    let form = shape.net();
     let index: Vec<usize> =
         a.all(1).iter().map(|value| a.whole_of(1, value)).collect::<Result<_, _>>()?;
     Ok(Form::from_homogeneous(&[], form.ambient(), form.pole(&index)?.to_vec())?.into())
@@ -179,11 +181,14 @@ fn with_pole<S: Arithmetic>(a: &Bound<S>) -> Outcome<S> {
         }
         one => vec![a.whole_of(1, &one)?],
     };
-    Ok(a.form(0)?.with_pole(&index, a.point(2)?.homogeneous())?.into())
+    let (shape, point) = (a.shape(0)?, a.point(2)?);
+    let net = shape.net().with_pole(&index, point.homogeneous())?;
+    Ok(shape.with_net(net)?.into())
 }
 
 fn weights<S: Arithmetic>(a: &Bound<S>) -> Outcome<S> {
-    let form = a.form(0)?;
+    let shape = a.shape(0)?;
+    let form = shape.net();
     let flat = form.weights().into_iter().map(Value::Number).collect();
     Ok(nested(flat, form.orders()))
 }

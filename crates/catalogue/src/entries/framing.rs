@@ -1,14 +1,15 @@
 //! Frames and curvatures, and the tangents and normals that are forms.
 
-use pforms_kernel::{Form, Rational};
+use pforms_kernel::Rational;
 use pforms_operators as operators;
 use pforms_operators::{
-    Curvature, CurveFrame, FrameKind, SurfaceCurvature, SurfaceFrame, VolumeFrame,
+    Curvature, CurveFrame, FrameKind, Poles, Shape, Spline, SurfaceCurvature, SurfaceFrame,
+    VolumeFrame,
 };
 
 use super::lists::entry;
-use super::{AXIS, FORM, Outcome, PART, PLAIN, list_of_numbers};
-use crate::cost::{multipliable, workable};
+use super::{AXIS, FORM, Outcome, PART, PLAIN, list_of_numbers, of_either};
+use crate::cost::{multipliable, workable_shape};
 use crate::operator::{Group, call};
 use crate::parameter::Fallback;
 use crate::words::words;
@@ -177,18 +178,24 @@ pub(super) static ENTRIES: &[Operator] = &[
 type Entries = Vec<(Words, Value)>;
 
 fn frame(a: &Bound<f64>) -> Outcome<f64> {
-    let form = workable(a.form(0)?)?;
+    let shape = workable_shape(a.shape(0)?)?;
     let at = parameters(a)?;
     let unit = a.boolean(3)?;
-    let entries = match (form.axes(), at.as_slice()) {
-        (1, _) => of_curve(a, &form, &at, unit)?,
+    let entries = match (shape.net().axes(), at.as_slice()) {
+        (1, _) => of_curve(a, &shape, &at, unit)?,
         (2, [u, v]) => {
-            let frame = operators::surface_frame(&form, *u, *v)?;
+            let frame = match &shape {
+                Shape::Form(form) => operators::surface_frame(form, *u, *v)?,
+                Shape::Spline(spline) => spline.surface_frame(*u, *v)?,
+            };
             of_surface(&if unit { frame } else { frame.unnormalised() })
         }
         _ => {
-            form.require_per_axis("parameters", &at)?;
-            let frame = operators::volume_frame(&form, &at)?;
+            shape.net().require_per_axis("parameters", &at)?;
+            let frame = match &shape {
+                Shape::Form(form) => operators::volume_frame(form, &at)?,
+                Shape::Spline(spline) => spline.volume_frame(&at)?,
+            };
             of_volume(&if unit { frame } else { frame.unnormalised() })
         }
     };
@@ -204,14 +211,18 @@ fn picked(a: &Bound<f64>, index: usize, entries: Entries) -> Outcome<f64> {
     if a.is_given(index) { entry(&entries, &a.text(index)?) } else { Ok(Value::Record(entries)) }
 }
 
-fn of_curve(a: &Bound<f64>, form: &Form, at: &[f64], unit: bool) -> Result<Entries, Failure> {
-    form.require_per_axis("parameters", at)?;
+fn of_curve(a: &Bound<f64>, shape: &Shape, at: &[f64], unit: bool) -> Result<Entries, Failure> {
+    shape.net().require_per_axis("parameters", at)?;
     let kind = match a.choice(2)? {
         "rotation-minimising" => FrameKind::RotationMinimising,
         "tangent" => FrameKind::Tangent,
         _ => FrameKind::Frenet,
     };
-    let mut frames = operators::curve_frames(form, at, kind, a.number(5)?)?;
+    let accuracy = a.number(5)?;
+    let mut frames = match shape {
+        Shape::Form(form) => operators::curve_frames(form, at, kind, accuracy)?,
+        Shape::Spline(spline) => spline.curve_frames(at, kind, accuracy)?,
+    };
     let frame = frames.swap_remove(0);
     let CurveFrame { point, tangent, normal, binormal, speed, curvature, torsion, .. } =
         if unit { frame } else { frame.unnormalised(kind) };
@@ -281,8 +292,12 @@ fn finite(x: f64) -> Value {
 }
 
 fn curvature(a: &Bound<f64>) -> Outcome<f64> {
-    let form = workable(a.form(0)?)?;
-    let entries = match operators::curvature(&form, &parameters(a)?)? {
+    let at = parameters(a)?;
+    let bend = match workable_shape(a.shape(0)?)? {
+        Shape::Form(form) => operators::curvature(&form, &at)?,
+        Shape::Spline(spline) => spline.curvature(&at)?,
+    };
+    let entries = match bend {
         Curvature::Curve { curvature, torsion } => {
             let mut entries = vec![(words("curvature", "courbure"), finite(curvature))];
             push(&mut entries, words("torsion", "torsion"), torsion.map(finite));
@@ -297,13 +312,23 @@ fn curvature(a: &Bound<f64>) -> Outcome<f64> {
 }
 
 fn tangent<S: Arithmetic>(a: &Bound<S>) -> Outcome<S> {
-    Ok(operators::tangent_form(&multipliable(a.form(0)?)?, a.whole(1)?)?.into())
+    let axis = a.whole(1)?;
+    let form = |form| Ok(operators::tangent_form(&multipliable(form)?, axis)?);
+    of_either(a, form, |spline| Ok(multipliable_pieces(spline)?.tangent_form(axis)?))
 }
 
 fn normal<S: Arithmetic>(a: &Bound<S>) -> Outcome<S> {
-    Ok(operators::normal_form(&multipliable(a.form(0)?)?)?.into())
+    let form = |form| Ok(operators::normal_form(&multipliable(form)?)?);
+    of_either(a, form, |spline| Ok(multipliable_pieces(spline)?.normal_form()?))
 }
 
 fn binormal<S: Arithmetic>(a: &Bound<S>) -> Outcome<S> {
-    Ok(operators::binormal_form(&multipliable(a.form(0)?)?)?.into())
+    let form = |form| Ok(operators::binormal_form(&multipliable(form)?)?);
+    of_either(a, form, |spline| Ok(multipliable_pieces(spline)?.binormal_form()?))
+}
+
+/// The spline, if the first of its pieces may be multiplied by itself: all are of one size.
+fn multipliable_pieces<S: Arithmetic>(spline: &Spline<S>) -> Result<&Spline<S>, Failure> {
+    multipliable(spline.piece(&vec![0; spline.axes()])?)?;
+    Ok(spline)
 }

@@ -127,13 +127,11 @@ pub(super) static ENTRIES: &[Operator] = &[
 ];
 
 fn midpoint<S: Arithmetic>(a: &Bound<S>) -> Outcome<S> {
-    let forms = a.forms(0)?;
-    Ok(operators::midpoint(&forms.iter().collect::<Vec<_>>())?.into())
+    Ok(operators::midpoint_shapes(&a.shapes(0)?)?.into())
 }
 
 fn stack<S: Arithmetic>(a: &Bound<S>) -> Outcome<S> {
-    let forms = a.forms(0)?;
-    Ok(operators::stack(&forms.iter().collect::<Vec<_>>())?.into())
+    Ok(operators::stack_shapes(&a.shapes(0)?)?.into())
 }
 
 fn diagonal<S: Arithmetic>(a: &Bound<S>) -> Outcome<S> {

@@ -35,7 +35,9 @@ mod turning;
 mod windows;
 
 use pforms_kernel::Form;
+use pforms_operators::{Shape, Spline};
 
+use crate::cost::workable_spline;
 use crate::operator::Group;
 use crate::words::words;
 use crate::{Arithmetic, Failure, Operator, Parameter, Takes, Value, Words};
@@ -135,6 +137,18 @@ const PLAIN: Operator = Operator {
     takes_errors: false,
     call: crate::operator::call!(floating nothing),
 };
+
+/// What an operator makes of the first argument: of a form a form, of a spline a spline.
+fn of_either<S: Arithmetic>(
+    a: &crate::Bound<S>,
+    form: impl FnOnce(Form<S>) -> Result<Form<S>, Failure>,
+    spline: impl FnOnce(&Spline<S>) -> Result<Spline<S>, Failure>,
+) -> Outcome<S> {
+    Ok(match a.shape(0)? {
+        Shape::Form(whole) => form(whole)?.into(),
+        Shape::Spline(pieces) => spline(&workable_spline(pieces)?)?.into(),
+    })
+}
 
 fn nothing(_: &crate::Bound<f64>) -> Outcome<f64> {
     Ok(Value::Empty)

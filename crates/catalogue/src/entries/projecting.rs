@@ -1,7 +1,7 @@
 //! Nearest points of a form.
 
 use pforms_kernel::{Error, Form};
-use pforms_operators::{self as operators, Projection};
+use pforms_operators::{self as operators, Poles, Projection, Shape, SplineProjector};
 
 use super::lists::entry;
 use super::{FORM, Outcome, PART, PLAIN, list_of_numbers};
@@ -61,16 +61,21 @@ pub(super) static ENTRIES: &[Operator] = &[Operator {
 const EVALUATIONS: usize = 1 << 10;
 
 fn project(a: &Bound<f64>) -> Outcome<f64> {
-    let (form, net) = (a.form(0)?, a.form(1)?);
+    let (shape, net) = (a.shape(0)?, a.form(1)?);
+    let form = shape.net();
     if net.ambient() != form.ambient() {
         let received = format!("points in dimension {}", net.ambient());
         return Err(
             Error::shape("points", received, format!("dimension {}", form.ambient())).into()
         );
     }
-    require_points(&form, EVALUATIONS.saturating_mul(net.pole_count()), 0.0)?;
-    let found = operators::project(&form, &net.points()?, a.number(3)?)?;
-    let entries = entries(&found, &form, &net)?;
+    require_points(form, EVALUATIONS.saturating_mul(net.pole_count()), 0.0)?;
+    let (points, accuracy) = (net.points()?, a.number(3)?);
+    let found = match &shape {
+        Shape::Form(form) => operators::project(form, &points, accuracy)?,
+        Shape::Spline(spline) => SplineProjector::new(spline, accuracy)?.project(&points)?,
+    };
+    let entries = entries(&found, form, &net)?;
     if a.is_given(2) { entry(&entries, &a.text(2)?) } else { Ok(Value::Record(entries)) }
 }
 

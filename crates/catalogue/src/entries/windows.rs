@@ -1,14 +1,14 @@
 //! The same form otherwise: other windows, other orders, other axes.
 
-use pforms_kernel::Rational;
-use pforms_operators as operators;
+use pforms_kernel::{Form, Rational};
+use pforms_operators::{self as operators, Poles, Shape};
 
-use super::{AXIS, FORM, Outcome, PLAIN, T, list_of_forms, part};
-use crate::cost::{workable, workable_at};
+use super::{AXIS, FORM, Outcome, PLAIN, T, list_of_forms, of_either, part};
+use crate::cost::{workable, workable_at, workable_shape, workable_spline};
 use crate::operator::{Group, call};
 use crate::parameter::Fallback;
 use crate::words::words;
-use crate::{Arithmetic, Bound, Operator, Parameter, Takes, Value};
+use crate::{Arithmetic, Bound, Failure, Operator, Parameter, Takes, Value};
 
 const FUNDAMENTAL: Operator = Operator { group: Group::Fundamental, ..PLAIN };
 
@@ -73,9 +73,9 @@ pub(super) static ENTRIES: &[Operator] = &[
         ),
         help: words(
             "A list of two forms: the windows [0, t] and [t, 1] of the axis. They share their poles \
-             at the cut to the bit.",
+             at the cut to the bit. The parts of a spline keep their parameters.",
             "Une liste de deux formes : les fenêtres [0, t] et [t, 1] de l'axe. Leurs pôles à la \
-             coupure sont les mêmes, au bit près.",
+             coupure sont les mêmes, au bit près. Les parties d'une spline gardent leurs paramètres.",
         ),
         parameters: &[FORM, AXIS, T],
         gives: Takes::List,
@@ -268,21 +268,38 @@ pub(super) static ENTRIES: &[Operator] = &[
 ];
 
 fn subdivide<S: Arithmetic>(a: &Bound<S>) -> Outcome<S> {
-    let form = workable(a.form(0)?)?;
-    let r: Vec<u32> = a.wholes(1, form.axes())?.iter().map(|&r| r as u32).collect();
-    Ok(Value::Spline(operators::subdivide(&form, &r)?))
+    let shape = workable_shape(a.shape(0)?)?;
+    let r: Vec<u32> = a.wholes(1, shape.net().axes())?.iter().map(|&r| r as u32).collect();
+    Ok(match shape {
+        Shape::Form(form) => operators::subdivide(&form, &r)?.into(),
+        Shape::Spline(spline) => spline.subdivide(&r)?.into(),
+    })
 }
 
 fn split<S: Arithmetic>(a: &Bound<S>) -> Outcome<S> {
-    let t = a.number(2)?;
-    let form = workable_at(a.form(0)?, std::slice::from_ref(&t))?;
-    let (low, high) = operators::split(&form, a.whole(1)?, &t)?;
-    Ok(list_of_forms(vec![low, high]))
+    let (axis, t) = (a.whole(1)?, a.number(2)?);
+    Ok(match a.shape(0)? {
+        Shape::Form(form) => {
+            let form = workable_at(form, std::slice::from_ref(&t))?;
+            let (low, high) = operators::split(&form, axis, &t)?;
+            list_of_forms(vec![low, high])
+        }
+        Shape::Spline(spline) => {
+            let (low, high) = workable_spline(spline)?.split(axis, &t)?;
+            Value::list(vec![low.into(), high.into()])
+        }
+    })
 }
 
 fn elevate<S: Arithmetic>(a: &Bound<S>) -> Outcome<S> {
-    let form = workable(a.form(0)?)?;
-    Ok(operators::elevate(&form, &a.wholes(1, form.axes())?)?.into())
+    of_either(
+        a,
+        |form| {
+            let form = workable(form)?;
+            Ok(operators::elevate(&form, &a.wholes(1, form.axes())?)?)
+        },
+        |spline| Ok(spline.elevate(&a.wholes(1, spline.axes())?)?),
+    )
 }
 
 fn reduce<S: Arithmetic>(a: &Bound<S>) -> Outcome<S> {
@@ -297,10 +314,19 @@ fn reduce<S: Arithmetic>(a: &Bound<S>) -> Outcome<S> {
 }
 
 fn stretch<S: Arithmetic>(a: &Bound<S>) -> Outcome<S> {
-    let form = a.form(0)?;
-    let (from, to) = (a.numbers(1, form.axes())?, a.numbers(2, form.axes())?);
-    let form = workable_at(workable_at(form, &from)?, &to)?;
-    Ok(operators::stretch(&form, &from, &to)?.into())
+    let ends = |axes| Ok::<_, Failure>((a.numbers(1, axes)?, a.numbers(2, axes)?));
+    of_either(
+        a,
+        |form| {
+            let (from, to) = ends(form.axes())?;
+            let form = workable_at(workable_at(form, &from)?, &to)?;
+            Ok(operators::stretch(&form, &from, &to)?)
+        },
+        |spline| {
+            let (from, to) = ends(spline.axes())?;
+            Ok(spline.stretch(&from, &to)?)
+        },
+    )
 }
 
 fn reparametrise<S: Arithmetic>(a: &Bound<S>) -> Outcome<S> {
@@ -314,21 +340,25 @@ fn whole_line<S: Arithmetic>(a: &Bound<S>) -> Outcome<S> {
 }
 
 fn reverse<S: Arithmetic>(a: &Bound<S>) -> Outcome<S> {
-    Ok(operators::reverse(&workable(a.form(0)?)?, a.whole(1)?)?.into())
+    let axis = a.whole(1)?;
+    let form = |form| Ok(operators::reverse(&workable(form)?, axis)?);
+    of_either(a, form, |spline| Ok(spline.reverse(axis)?))
 }
 
 fn transpose<S: Arithmetic>(a: &Bound<S>) -> Outcome<S> {
-    let form = a.form(0)?;
-    let axes: Vec<usize> = if a.is_given(1) {
-        a.all(1).iter().map(|axis| a.whole_of(1, axis)).collect::<Result<_, _>>()?
-    } else {
-        (0..form.axes()).rev().collect()
+    let order = |axes: usize| -> Result<Vec<usize>, Failure> {
+        if a.is_given(1) {
+            a.all(1).iter().map(|axis| a.whole_of(1, axis)).collect()
+        } else {
+            Ok((0..axes).rev().collect())
+        }
     };
-    Ok(operators::transpose(&form, &axes)?.into())
+    let form = |form: Form<S>| Ok(operators::transpose(&form, &order(form.axes())?)?);
+    of_either(a, form, |spline| Ok(spline.transpose(&order(spline.axes())?)?))
 }
 
 fn sub<S: Arithmetic>(a: &Bound<S>) -> Outcome<S> {
-    let t = a.number(2)?;
-    let form = workable_at(a.form(0)?, std::slice::from_ref(&t))?;
-    Ok(operators::sub(&form, a.whole(1)?, &t)?.into())
+    let (axis, t) = (a.whole(1)?, a.number(2)?);
+    let form = |form| Ok(operators::sub(&workable_at(form, std::slice::from_ref(&t))?, axis, &t)?);
+    of_either(a, form, |spline| Ok(spline.sub(axis, &t)?))
 }
