@@ -16,6 +16,7 @@ from pforms.records import (
     Joined,
     Length,
     Mesh,
+    Network,
     Parallel,
     Pipe,
     Projection,
@@ -76,6 +77,7 @@ __all__ = [
     "facet",
     "fit",
     "forecast",
+    "gordon",
     "grid",
     "hyperbola",
     "immerse",
@@ -881,6 +883,26 @@ def waving_pipe(
     tolerance: _Number | None = None,
     report: Literal[True],
 ) -> Pipe: ...
+@overload
+def gordon(
+    us: Iterable[Form | Spline | ArrayLike],
+    vs: Iterable[Form | Spline | ArrayLike],
+    u: Sequence[_Number] | _Array | None = None,
+    v: Sequence[_Number] | _Array | None = None,
+    *,
+    accuracy: float = 1e-6,
+    report: Literal[False] = False,
+) -> Form | Spline: ...
+@overload
+def gordon(
+    us: Iterable[Form | Spline | ArrayLike],
+    vs: Iterable[Form | Spline | ArrayLike],
+    u: Sequence[_Number] | _Array | None = None,
+    v: Sequence[_Number] | _Array | None = None,
+    *,
+    accuracy: float = 1e-6,
+    report: Literal[True],
+) -> Network: ...
 def partition(a: _Number, b: _Number, r: int) -> _Array: ...
 def bernstein(n: int, i: int, t: ArrayLike) -> _Array: ...
 def pascal(n: int) -> list[int]: ...

@@ -141,6 +141,29 @@ class Polyline(NamedTuple):
     """Two vertices for each segment, shape (m, 2); none joins the two sides of infinity."""
 
 
+class Network(NamedTuple):
+    """A surface through a network of curves, and how well it keeps them.
+
+    >>> import pforms as pf
+    >>> us = [pf.Form([(0, 0), (1, 0)]), pf.Form([(0, 1), (1, 2)])]
+    >>> vs = [pf.Form([(0, 0), (0, 1)]), pf.Form([(1, 0), (1, 2)])]
+    >>> found = pf.gordon(us, vs, report=True)
+    >>> found.surface, found.gap
+    (<pforms.Form pS22 in 2D>, 0.0)
+    """
+
+    surface: Form | Spline
+    """The surface."""
+    error: float
+    """Largest distance found between a curve and the surface at its parameter."""
+    gap: float
+    """Largest distance between two curves where they cross."""
+    u: NDArray[float64]
+    """The parameters of the curves along v."""
+    v: NDArray[float64]
+    """The parameters of the curves along u."""
+
+
 class Frame:
     """Named arrays, by key or as attributes; each has the shape of the parameters first.
 

@@ -94,7 +94,7 @@ mod _pforms {
     #[pymodule_export]
     use crate::sheet::PySheet;
     #[pymodule_export]
-    use crate::spanning::coons;
+    use crate::spanning::{coons, gordon};
     #[pymodule_export]
     use crate::spline::PySpline;
     #[pymodule_export]

@@ -181,6 +181,9 @@ CALLS = {
         f.frame(*at, **more)[part] if part else f.frame(*at, **more)
     ),
     "forecast": lambda inner, host: pf.forecast(inner, host),
+    "gordon": lambda us, vs, u=None, v=None, part="surface", **more: getattr(
+        pf.gordon(us, vs, u, v, report=True, **more), part
+    ),
     "grid": lambda f, *lists: pf.Form(f.grid(*lists)),
     "kind": lambda f: f.kind,
     "normal_form": pf.normal_form,

@@ -42,7 +42,7 @@ JUNK = [
 NAMES = [
     "bernstein", "blossom", "combine", "coons", "curvature", "derivative", "diagonal", "elevate",
     "evaluate", "explain",
-    "fit", "frame", "grid", "hodograph", "immerse", "immerse_points", "interpolate", "midpoint",
+    "fit", "frame", "gordon", "grid", "hodograph", "immerse", "immerse_points", "interpolate", "midpoint",
     "normals",
     "partition", "pascal", "polyline", "reduce", "reparametrise", "reverse", "segment", "split",
     "stack",

@@ -5,6 +5,7 @@ mod by_arc_length;
 mod coons;
 mod fit;
 mod fit_parameters;
+mod gordon;
 mod immerse_spline;
 mod interpolate;
 mod interpolating_spline;
@@ -28,6 +29,7 @@ pub use by_arc_length::{UnitSpeed, by_arc_length};
 pub use coons::{CoonsOptions, coons, coons_splines};
 pub use fit::{Fit, FitOptions, fit};
 pub use fit_parameters::Parameters;
+pub use gordon::{Network, gordon, gordon_network};
 pub use immerse_spline::immerse_spline;
 pub use interpolate::{interpolate, interpolate_homogeneous};
 pub use interpolating_spline::{

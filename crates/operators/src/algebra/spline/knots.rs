@@ -151,7 +151,7 @@ impl<S: Scalar> Knots<S> {
     }
 
     /// The values at `t` of the basis functions that do not vanish there, and the first of them.
-    pub(super) fn basis(&self, t: &S) -> (usize, Vec<S>) {
+    pub(crate) fn basis(&self, t: &S) -> (usize, Vec<S>) {
         let span = self.span(t);
         (span - self.degree, self.blossom(span, &vec![t.clone(); self.degree]))
     }
