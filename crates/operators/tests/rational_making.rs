@@ -374,6 +374,7 @@ fn bad_input_is_named() {
     assert_eq!(torus_knot(0, 0, 2.0, 1.0).unwrap_err().family(), "Domain");
     assert_eq!(torus_knot(1, i64::MIN, 2.0, 1.0).unwrap_err().family(), "Limit");
     assert_eq!(bezier_torus(1.0, 1.5, Part::Inner).unwrap_err().family(), "Degenerate");
+    assert_eq!(bezier_torus(1e150, 1e-150, Part::Outer).unwrap_err().family(), "Domain");
     assert_eq!(Axis::new([0.0; 3], [0.0; 3]).unwrap_err().family(), "Degenerate");
     assert_eq!(Axis::new([0.0; 3], [f64::NAN, 0.0, 1.0]).unwrap_err().family(), "Domain");
     let wide: Shape = Form::from_points(&[1], 4, &[1.0; 4], None).unwrap().into();
@@ -382,6 +383,28 @@ fn bad_input_is_named() {
     let point = Form::point(&[1.0]).unwrap();
     assert_eq!(conic(&point, &point, &point, &f64::NAN).unwrap_err().family(), "Domain");
     assert_eq!(classify(&point, &0.0).unwrap_err().family(), "Shape");
+}
+
+/// Powers of two scale everything and change no bit.
+#[test]
+fn sizes_do_not_matter() {
+    for scale in [2.0_f64.powi(-500), 2.0_f64.powi(500)] {
+        let grown = |form: &Form, shape: &Shape| {
+            let pairs = form.homogeneous().chunks(4).zip(shape.net().homogeneous().chunks(4));
+            pairs.into_iter().all(|(a, b)| (0..3).all(|k| a[k] * scale == b[k]) && a[3] == b[3])
+        };
+        for part in [Part::Whole, Part::Pieces] {
+            let unit = torus(&3.0, &1.0, part).unwrap();
+            assert!(grown(unit.net(), &torus(&(3.0 * scale), &scale, part).unwrap()));
+            assert!(grown(sphere(&1.0, part).unwrap().net(), &sphere(&scale, part).unwrap()));
+        }
+        let unit = arc(1.0, 5.0, 5, 0.3).unwrap();
+        assert!(grown(unit.net(), &arc(scale, 5.0, 5, 0.3).unwrap()));
+        let patch = bezier_torus(3.0, 1.0, Part::Inner).unwrap();
+        let large = bezier_torus(3.0 * scale, scale, Part::Inner).unwrap();
+        assert!(grown(&patch.form, &large.form.clone().into()));
+        assert_eq!(patch.error() * scale, large.error());
+    }
 }
 
 #[test]

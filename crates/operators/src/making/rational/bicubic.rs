@@ -63,11 +63,14 @@ pub fn bezier_sphere(radius: f64) -> Result<Bicubic> {
     patch(&scaled(&unit, radius)?, radius * outside.max(0.0), 0.0)
 }
 
+/// Above this ratio of the radii the error would be one of rounding.
+const LARGEST_RATIO: f64 = 1e12;
+
 /// A quarter turn of the upper outer ([`Part::Outer`]) or upper inner ([`Part::Inner`]) quarter of the
 /// [`torus`](crate::torus), from the equator up. The error is the distance to the tube's surface.
 ///
-/// Errors: `Domain` unless the radii are positive, and for other parts; `Degenerate` unless `minor` is
-/// below `major` for the inner part.
+/// Errors: `Domain` unless the radii are positive and `major` at most 10¹² times `minor`, and for other
+/// parts; `Degenerate` unless `minor` is below `major` for the inner part.
 pub fn bezier_torus(major: f64, minor: f64, part: Part) -> Result<Bicubic> {
     require_positive("major", &major)?;
     require_positive("minor", &minor)?;
@@ -83,6 +86,10 @@ pub fn bezier_torus(major: f64, minor: f64, part: Part) -> Result<Bicubic> {
     };
     // Lengths in units of the tube's radius.
     let reach = major / minor;
+    if reach > LARGEST_RATIO {
+        let received = format!("{major:?}, {reach:?} times minor");
+        return Err(Error::domain("major", received, "at most 1e12 times minor"));
+    }
     let off = |v: f64, excess: f64| {
         let [a, b] = on(&unit, v);
         libm::hypot((reach + side * a) * (1.0 + excess) - reach, b) - 1.0
