@@ -8,6 +8,7 @@ mod iges;
 mod immersed;
 mod json;
 mod laws;
+mod lengths;
 mod made;
 mod measure;
 mod mfem;
