@@ -1,4 +1,4 @@
-"""Circles, quadrics, tori, revolution: what a Python program is given, and what it may not ask for."""
+"""Circles, quadrics, tori, revolution: what Python is given, and what it may not ask for."""
 
 import math
 
