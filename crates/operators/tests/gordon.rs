@@ -349,3 +349,40 @@ fn curves_that_cross_at_unequal_parameters_are_followed() {
         assert!((found.spline.at(&[found.u[1], t]).unwrap()[0] - 0.5).abs() < 1e-7);
     }
 }
+
+#[test]
+fn a_power_of_two_changes_no_bit() {
+    let file = models::document("tigl/test_surface4.json");
+    let [us, vs] = ["profiles", "guides"].map(|family| splines(&file[family]));
+    let plain = gordon_network(&us, &vs, 1e-6).unwrap();
+    for by in [2.0_f64.powi(600), 2.0_f64.powi(-600)] {
+        let times = |curve: &Spline| {
+            let points: Vec<f64> = curve.net().points().unwrap().iter().map(|x| x * by).collect();
+            let net = Form::from_points(curve.net().orders(), 3, &points, None).unwrap();
+            Spline::on(net, curve.knots().to_vec()).unwrap()
+        };
+        let [large_us, large_vs] = [&us, &vs].map(|all| all.iter().map(times).collect::<Vec<_>>());
+        let scaled = gordon_network(&large_us, &large_vs, 1e-6).unwrap();
+        assert_eq!(scaled.spline, times(&plain.spline));
+        assert_eq!((scaled.error, scaled.gap), (plain.error * by, plain.gap * by));
+    }
+}
+
+#[test]
+fn a_curve_may_be_a_point_but_not_all_of_them() {
+    let curve = |points: [[f64; 3]; 2]| -> Spline {
+        Form::from_points(&[2], 3, &points.concat(), None).unwrap().into()
+    };
+    let nose = curve([[0., 0., 2.]; 2]);
+    let base = curve([[-1., 0., 0.], [1., 0., 0.]]);
+    let vs = [-1.0, 0.25, 1.0].map(|x| curve([[0., 0., 2.], [x, 0., 0.]]));
+    for us in [[nose.clone(), base.clone()], [base, nose.clone()]] {
+        let found = gordon_network(&us, &vs, 1e-6).unwrap();
+        assert!(found.error < 1e-12 && found.gap < 1e-12, "{} {}", found.error, found.gap);
+        assert!((found.u[1] - 0.625).abs() < 1e-9);
+        let middle = found.spline.at(&[0.3, 0.5]).unwrap();
+        assert!(distance(&middle, &[-0.2, 0.0, 1.0]) < 1e-9, "{middle:?}");
+    }
+    let answer = gordon_network(&[nose.clone(), nose], &vs[..1], 1e-6);
+    assert!(matches!(answer, Err(Error::Degenerate(_))), "{answer:?}");
+}

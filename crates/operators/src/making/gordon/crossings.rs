@@ -115,9 +115,10 @@ fn step(
 ) -> Option<[f64; 2]> {
     let gradient = [dot(forward, residual), dot(backward, residual)];
     let held = |t: f64, slope: f64| (t <= 0.0 && slope > 0.0) || (t >= 1.0 && slope < 0.0);
-    let held = [held(at.s, gradient[0]), held(at.t, gradient[1])];
     let (mut aa, mut bb, ab) =
         (dot(forward, forward), dot(backward, backward), dot(forward, backward));
+    // Where a curve stands still there is nothing to be gained by its parameter.
+    let held = [held(at.s, gradient[0]) || aa == 0.0, held(at.t, gradient[1]) || bb == 0.0];
     aa *= 1.0 + damping;
     bb *= 1.0 + damping;
     let solved = match held {

@@ -1,6 +1,6 @@
 //! Gordon surfaces of curves whose crossings are not known beforehand.
 
-use pforms_kernel::{Error, Result};
+use pforms_kernel::{Error, Form, Result};
 
 use super::crossings::{Crossing, crossings};
 use super::follow::followed;
@@ -30,7 +30,8 @@ pub struct Network {
 ///
 /// Crossings are where two curves come within `accuracy` times the largest coordinate. The first curve
 /// of each family sets the direction; ends that reach beyond the outermost crossings are cut off. A
-/// closed family has its seam curve twice, as the first and the last.
+/// closed family has its seam curve twice, as the first and the last. A curve may be a single point,
+/// as a nose is.
 ///
 /// Where the crossings lie at the same parameters along all curves of a family, those curves are kept
 /// as they are. Otherwise they are run through at a pace that makes their crossings agree at the mean
@@ -63,9 +64,40 @@ pub fn gordon_network(us: &[Spline], vs: &[Spline], accuracy: f64) -> Result<Net
     if !(accuracy > 0.0 && accuracy <= 1.0) {
         return Err(Error::domain("accuracy", accuracy, "a number between 0 and 1"));
     }
+    // Squares of lengths neither overflow nor vanish near 1, and a power of two costs no bit.
+    let size = power_of_two(extent(us, vs));
+    let [us, vs] = [scaled(us, 1.0 / size)?, scaled(vs, 1.0 / size)?];
+    let found = found(&us, &vs, accuracy, size)?;
+    let spline = times(&found.spline, size)?;
+    Ok(Network { spline, error: found.error * size, gap: found.gap * size, ..found })
+}
+
+/// The largest power of two up to a size, within what can be inverted.
+fn power_of_two(size: f64) -> f64 {
+    if size > 0.0 { size.log2().floor().clamp(-1000.0, 1000.0).exp2() } else { 1.0 }
+}
+
+fn scaled(splines: &[Spline], factor: f64) -> Result<Vec<Spline>> {
+    splines.iter().map(|spline| times(spline, factor)).collect()
+}
+
+fn times(spline: &Spline, factor: f64) -> Result<Spline> {
+    let net = spline.net();
+    let mut poles = net.homogeneous().to_vec();
+    for pole in poles.chunks_exact_mut(net.width()) {
+        for x in &mut pole[..net.ambient()] {
+            *x *= factor;
+        }
+    }
+    let net = Form::from_homogeneous(net.orders(), net.ambient(), poles)?;
+    Spline::on(net, spline.knots().to_vec())
+}
+
+/// The surface of curves whose largest coordinate is between 1 and 2, once `size` times that.
+fn found(us: &[Spline], vs: &[Spline], accuracy: f64, size: f64) -> Result<Network> {
     let reach = accuracy * extent(us, vs);
     let [along, across] = [paths(us)?, paths(vs)?];
-    let met = all_crossings(&along, &across, reach)?;
+    let met = all_crossings(&along, &across, reach, size)?;
     let gap = met.iter().flatten().map(|all| least_gap(all)).fold(0.0, f64::max);
     let first = Family::new("us", &along, &met, |crossing| crossing.s, reach)?;
     let turned: Vec<Vec<Vec<Crossing>>> =
@@ -113,7 +145,12 @@ fn least_gap(all: &[Crossing]) -> f64 {
     all.iter().map(|crossing| crossing.gap).fold(f64::INFINITY, f64::min)
 }
 
-fn all_crossings(us: &[Path], vs: &[Path], reach: f64) -> Result<Vec<Vec<Vec<Crossing>>>> {
+fn all_crossings(
+    us: &[Path],
+    vs: &[Path],
+    reach: f64,
+    size: f64,
+) -> Result<Vec<Vec<Vec<Crossing>>>> {
     let mut met = Vec::with_capacity(us.len());
     for (j, along) in us.iter().enumerate() {
         let mut row = Vec::with_capacity(vs.len());
@@ -121,8 +158,8 @@ fn all_crossings(us: &[Path], vs: &[Path], reach: f64) -> Result<Vec<Vec<Vec<Cro
             let all = crossings(along, across, reach)?;
             let gap = least_gap(&all);
             if gap > reach {
-                let received = format!("curve {j} of us and curve {i} of vs {gap} apart");
-                return Err(Error::domain("us", received, format!("at most {reach}")));
+                let received = format!("curve {j} of us and curve {i} of vs {} apart", gap * size);
+                return Err(Error::domain("us", received, format!("at most {}", reach * size)));
             }
             row.push(all);
         }
@@ -158,12 +195,17 @@ impl Family {
                 Ok(row.iter().map(|all| settled(all.iter().map(&parameter), near)).collect())
             })
             .collect::<Result<_>>()?;
-        let order = order(name, &lists)?;
+        let lengths = paths.iter().map(Path::length).collect::<Result<Vec<_>>>()?;
+        let points: Vec<bool> = lengths.iter().map(|length| *length <= reach).collect();
+        let mut order = order(name, &lists, &points)?;
         let turned = paths.iter().zip(&order.reversed);
         let paths: Vec<Path> = turned
             .map(|(path, &turn)| if turn { path.reversed() } else { Path::new(path.spline()) })
             .collect::<Result<_>>()?;
-        let places = means(&order.parameters);
+        let places = means(order.parameters.iter().filter(|own| !own.is_empty()));
+        for own in order.parameters.iter_mut().filter(|own| own.is_empty()) {
+            own.clone_from(&places);
+        }
         let paces: Vec<Pace> = order.parameters.iter().map(|own| pace(own, &places)).collect();
         let mut family = Self { paths, paces, curves: Vec::new(), places, across: order.across };
         family.curves = if family.keeps_pace(&order.parameters, reach)? {
@@ -268,8 +310,9 @@ fn ends(own: &[f64]) -> (f64, f64) {
 }
 
 /// The mean of the crossings along all curves, each from 0 to 1.
-fn means(parameters: &[Vec<f64>]) -> Vec<f64> {
-    let count = parameters[0].len();
+fn means<'a>(parameters: impl Iterator<Item = &'a Vec<f64>>) -> Vec<f64> {
+    let parameters: Vec<&Vec<f64>> = parameters.collect();
+    let count = parameters.first().map_or(0, |own| own.len());
     let share = |own: &Vec<f64>, i: usize| {
         let (from, to) = ends(own);
         (own[i] - from) / (to - from)
@@ -277,7 +320,7 @@ fn means(parameters: &[Vec<f64>]) -> Vec<f64> {
     let mean = |i: usize| match i {
         0 if count > 1 => 0.0,
         _ if count > 1 && i + 1 == count => 1.0,
-        _ => parameters.iter().map(|own| share(own, i)).sum::<f64>() / parameters.len() as f64,
+        _ => parameters.iter().map(|&own| share(own, i)).sum::<f64>() / parameters.len() as f64,
     };
     (0..count).map(mean).collect()
 }

@@ -18,13 +18,24 @@ pub(super) struct Order {
 /// A curve that closes is met twice by a curve through its seam. Where that curve is given twice,
 /// once for each side, the first stands for the beginning and the second for the end.
 ///
-/// Errors: `Domain` when no direction of some curve gives the order of the first.
-pub(super) fn order(name: &str, met: &[Vec<Vec<f64>>]) -> Result<Order> {
-    let first = chosen(&met[0]);
+/// Curves that are single `points` are met everywhere: they say nothing, and get no parameters here.
+///
+/// Errors: `Domain` when no direction of some curve gives the order of the first; `Degenerate` when
+/// all are points.
+pub(super) fn order(name: &str, met: &[Vec<Vec<f64>>], points: &[bool]) -> Result<Order> {
+    let Some(lead) = points.iter().position(|point| !point) else {
+        return Err(Error::degenerate(name, "curves that are points", "a curve with a length"));
+    };
+    let first = chosen(&met[lead]);
     let mut across: Vec<usize> = (0..first.len()).collect();
     across.sort_by(|a, b| first[*a].total_cmp(&first[*b]));
     let mut order = Order { across, reversed: Vec::new(), parameters: Vec::new() };
     for (j, lists) in met.iter().enumerate() {
+        if points[j] {
+            order.reversed.push(false);
+            order.parameters.push(Vec::new());
+            continue;
+        }
         let turned: Vec<Vec<f64>> =
             lists.iter().map(|list| list.iter().rev().map(|t| 1.0 - t).collect()).collect();
         let ways = [(false, chosen(lists)), (true, chosen(&turned))];
@@ -35,7 +46,7 @@ pub(super) fn order(name: &str, met: &[Vec<Vec<f64>>]) -> Result<Order> {
             return Err(Error::domain(
                 name,
                 format!("curve {j} crossed at {:?}", sorted(&ways[0].1)),
-                format!("crossings in the order {:?}, as along curve 0", order.across),
+                format!("crossings in the order {:?}, as along curve {lead}", order.across),
             ));
         };
         order.reversed.push(way);
