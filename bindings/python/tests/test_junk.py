@@ -42,8 +42,8 @@ JUNK = [
 NAMES = [
     "bernstein", "blossom", "combine", "coons", "curvature", "derivative", "diagonal", "elevate",
     "evaluate", "explain",
-    "fit", "frame", "gordon", "grid", "hodograph", "immerse", "immerse_points", "interpolate", "midpoint",
-    "normals",
+    "fit", "frame", "gordon", "grid", "hodograph", "immerse", "immerse_points", "interpolate",
+    "midpoint", "normals",
     "partition", "pascal", "polyline", "reduce", "reparametrise", "reverse", "segment", "split",
     "stack",
     "stretch", "sub", "subdivide", "tile", "transpose", "whole_line", "with_pole", "Form",
