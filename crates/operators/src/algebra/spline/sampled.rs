@@ -90,7 +90,9 @@ impl Spline<f64> {
             piece.scattered_derivative_into(lists, orders, part)?;
             let powers = lengths.iter().zip(orders).map(|(length, &k)| length.powi(k as i32));
             let divisor: f64 = powers.product();
-            part.iter_mut().for_each(|x| *x /= divisor);
+            for x in part.iter_mut() {
+                *x /= divisor;
+            }
             Ok(())
         })
     }
