@@ -50,6 +50,7 @@ NAMES = [
     "Immersed",
     "cube", "extrude", "facet", "line", "ruled", "symmetric",
     "mirror", "project_to_plane", "rotate", "scale", "shear", "transform", "translate",
+    "is_developable", "offset_poles", "parallel", "shell", "tangent_developable", "unroll",
 ]  # fmt: skip
 KEYWORDS = [
     "axes",
@@ -63,6 +64,11 @@ KEYWORDS = [
     "lazy",
     "params",
     "ends",
+    "tolerance",
+    "side",
+    "folds",
+    "report",
+    "accuracy",
 ]
 
 

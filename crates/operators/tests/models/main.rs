@@ -12,6 +12,7 @@ mod lengths;
 mod made;
 mod measure;
 mod mfem;
+mod parallels;
 mod peers;
 
 use pforms_operators::Spline;

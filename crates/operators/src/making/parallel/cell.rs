@@ -121,14 +121,27 @@ fn relative_error(normal: &Form, length: &Form) -> Result<f64> {
 fn squares(normal: &Form, length: &Form) -> Result<Form> {
     let degrees = most(&normal.degrees(), &length.degrees());
     let orders: Vec<usize> = degrees.iter().map(|degree| degree + 1).collect();
-    let (normal, length) = (raise_to(normal, &orders)?, raise_to(length, &orders)?);
-    let (normal, length) = (Scaled::from_form(&normal), Scaled::from_form(&length).component(0));
-    let doubled: Vec<usize> = degrees.iter().map(|degree| 2 * degree).collect();
+    let length = Scaled::from_form(&raise_to(length, &orders)?).component(0);
+    valued(square_of(&raise_to(normal, &orders)?)?.minus(&length.times(&length)?))
+}
+
+/// `|N|²`, as a function.
+pub(super) fn square(normal: &Form) -> Result<Form> {
+    valued(square_of(normal)?)
+}
+
+fn square_of(normal: &Form) -> Result<Scaled> {
+    let normal = Scaled::from_form(normal);
+    let doubled: Vec<usize> = normal.degrees().iter().map(|degree| 2 * degree).collect();
     let mut sum = Scaled::zero(&doubled, 1)?;
     for k in 0..normal.width() - 1 {
         let x = normal.component(k);
         sum.add_product(&x, &x);
     }
-    sum = sum.minus(&length.times(&length)?);
-    sum.beside(&Scaled::one(&doubled)?).into_form()
+    Ok(sum)
+}
+
+fn valued(polynomial: Scaled) -> Result<Form> {
+    let one = Scaled::one(polynomial.degrees())?;
+    polynomial.beside(&one).into_form()
 }

@@ -23,7 +23,7 @@ pub(super) fn fold(cell: &Cell, distance: &Quotient, unit: f64) -> Result<Option
     let poles = determinant.homogeneous();
     let noise = poles.chunks_exact(2).fold(0.0_f64, |most, pole| most.max(pole[0].size));
     let values = determinant.map_scalar(|x| x.value)?;
-    if let Some(place) = refuted(&values, noise * NOISE)? {
+    if let Some(place) = refuted(&values, noise * NOISE, DEPTH)? {
         return Ok(Some(place));
     }
     // Definite, or negative definite everywhere.
@@ -31,6 +31,9 @@ pub(super) fn fold(cell: &Cell, distance: &Quotient, unit: f64) -> Result<Option
     let corner = &matrix(cell, distance, unit)?[0];
     Ok((value(corner)?.at(&middle)?[0] <= 0.0).then_some(middle))
 }
+
+/// Halvings of a cell before doubt is an answer: a thousandth of a small cell.
+const DEPTH: usize = 14;
 
 /// Share of the numbers that went into a determinant below which it is taken for rounding.
 const NOISE: f64 = 32.0 * f64::EPSILON;

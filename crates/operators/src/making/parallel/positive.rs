@@ -4,24 +4,27 @@ use pforms_kernel::{Form, Result};
 
 use crate::split;
 
-/// Halvings after which a part that is still in doubt counts as not positive.
-const DEPTH: usize = 14;
+/// Parts looked at before the one in doubt counts as not positive.
+const MOST: usize = 1 << 13;
 
 /// Parameters where a function is not above `noise`, if it is not above it everywhere.
 ///
-/// The coefficients bound it from below on every part; those at the corners are its values.
-pub(super) fn refuted(function: &Form, noise: f64) -> Result<Option<Vec<f64>>> {
-    let axes = function.axes();
+/// The coefficients bound it from below on every part; those at the corners are its values. A part
+/// halved `depth` times that is still in doubt counts as not positive.
+pub(super) fn refuted(function: &Form, noise: f64, depth: usize) -> Result<Option<Vec<f64>>> {
+    let (axes, deepest) = (function.axes(), depth);
+    let mut seen = 0;
     let mut parts = vec![(function.clone(), vec![0.0; axes], vec![1.0; axes], 0)];
     while let Some((part, low, high, depth)) = parts.pop() {
         let values = part.points()?;
+        seen += 1;
         if values.iter().all(|value| *value > noise) {
             continue;
         }
         if let Some(corner) = worst_corner(&part, &values, &low, &high, noise) {
             return Ok(Some(corner));
         }
-        if depth >= DEPTH {
+        if depth >= deepest || seen > MOST {
             return Ok(Some(low.iter().zip(&high).map(|(a, b)| f64::midpoint(*a, *b)).collect()));
         }
         let axis = widest(&part, &low, &high);
@@ -74,8 +77,8 @@ mod tests {
             let values = [1.0 / 9.0 + c, -2.0 / 9.0 + c, 4.0 / 9.0 + c];
             Form::from_points(&[3], 1, &values, None).unwrap()
         };
-        assert_eq!(refuted(&dip(1e-3), 0.0).unwrap(), None);
-        let place = refuted(&dip(-1e-3), 0.0).unwrap().unwrap();
+        assert_eq!(refuted(&dip(1e-3), 0.0, 14).unwrap(), None);
+        let place = refuted(&dip(-1e-3), 0.0, 14).unwrap().unwrap();
         assert!((place[0] - 1.0 / 3.0).abs() < 0.04);
     }
 }

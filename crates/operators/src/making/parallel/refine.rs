@@ -2,7 +2,7 @@
 
 use pforms_kernel::{Error, Form, Result};
 
-use super::cell::{Cell, weight};
+use super::cell::{Cell, square, weight};
 use super::distance::{Distance, Quotient};
 use super::fold::fold;
 use super::interval::Interval;
@@ -24,7 +24,7 @@ pub(super) struct Division {
 }
 
 /// A form is cut no finer than into so many cells,
-const MOST_CELLS: usize = 1 << 14;
+const MOST_CELLS: usize = 1 << 12;
 
 /// and into fewer when there is more work in each: multiplications for all of them, about.
 const MOST_WORK: f64 = 1e10;
@@ -295,6 +295,7 @@ fn fields(form: &Spline, options: &ParallelOptions, unit: i32) -> Result<Vec<Fie
         let piece = form.piece(&index)?;
         let mut field = Field::new(&piece, &options.side, unit)?;
         require_weight(&field.piece)?;
+        require_normals(&field.normal)?;
         let widths = index.iter().zip(&breaks).map(|(&i, list)| list[i + 1] - list[i]);
         let shrink = widths.product::<f64>().powi(-Field::power(&options.side));
         if shrink != 1.0 {
@@ -311,12 +312,31 @@ fn require_weight(piece: &Form) -> Result<()> {
     let orders: Vec<usize> = scaled.degrees().iter().map(|degree| degree + 1).collect();
     let values =
         if orders == piece.orders() { piece.weights() } else { scaled.coefficients().to_vec() };
-    match refuted(&function(&values, &orders)?, 0.0)? {
+    match refuted(&function(&values, &orders)?, 0.0, DEEP)? {
         None => Ok(()),
         Some(place) => Err(Error::domain(
             "form",
             format!("a weight that vanishes near {place:?} of a piece"),
             "a form that is finite on its window",
+        )),
+    }
+}
+
+/// Halvings of a piece in search of a zero.
+const DEEP: usize = 40;
+
+/// Share of the longest normal that counts as none.
+const NONE: f64 = 1e-8;
+
+fn require_normals(normal: &Form) -> Result<()> {
+    let square = square(normal)?;
+    let most = square.points()?.into_iter().fold(0.0, f64::max);
+    match refuted(&square, NONE * NONE * most, DEEP)? {
+        None => Ok(()),
+        Some(place) => Err(Error::degenerate(
+            "form",
+            format!("a form without a normal near {place:?} of a piece"),
+            "a form whose normals vanish at most on whole edges",
         )),
     }
 }
