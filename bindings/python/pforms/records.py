@@ -263,7 +263,7 @@ class Simplified(NamedTuple):
     >>> import pforms as pf
     >>> halves = pf.Form([(0, 0), (1, 2), (2, 0)]).subdivide(1)
     >>> pf.remove_knots(halves, report=True)
-    Simplified(spline=<pforms.Spline of 1 pieces pL3 in 2D>, error=0.0)
+    Simplified(spline=<pforms.Spline of 1 piece pL3 in 2D>, error=0.0)
     """
 
     spline: Spline

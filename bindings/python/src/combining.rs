@@ -335,10 +335,10 @@ macro_rules! methods {
             /// array([[2., 0.],
             ///        [2., 3.]])
             #[pyo3(
-                                        name = "symmetric",
-                                        signature = (form, *, pointwise=None),
-                                        text_signature = "($self, form, *, pointwise=False)"
-                                    )]
+                                                name = "symmetric",
+                                                signature = (form, *, pointwise=None),
+                                                text_signature = "($self, form, *, pointwise=False)"
+                                            )]
             fn symmetric_to<'py>(
                 slf: &Bound<'py, Self>,
                 form: &Object<'py>,

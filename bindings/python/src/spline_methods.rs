@@ -27,7 +27,7 @@ macro_rules! methods {
             /// The same without knots that it can spare: :func:`remove_knots`.
             ///
             /// >>> pf.Form([(0, 0), (1, 2), (2, 0)]).subdivide(2).remove_knots()
-            /// <pforms.Spline of 1 pieces pL3 in 2D>
+            /// <pforms.Spline of 1 piece pL3 in 2D>
             #[pyo3(
                 signature = (knots=None, *, axis=None, accuracy=None, report=None),
                 text_signature = "($self, knots=None, *, axis=0, accuracy=1e-12, report=False)"

@@ -76,10 +76,10 @@ pub(super) static ENTRIES: &[Operator] = &[
         ),
         help: words(
             "The knots say the degree: n poles and m knots make degree m - n - 1. weights: a number for \
-             each pole, in order, or one for all. PIECES takes it apart, CONCATENATE and REMOVEKNOTS \
+             each pole, in order, or a factor for all. PIECES takes it apart, CONCATENATE and REMOVEKNOTS \
              put it together again, exactly.",
             "Les noeuds disent le degré : n pôles et m noeuds font le degré m - n - 1. poids : un par \
-             pôle, dans l'ordre, ou un seul pour tous. MORCEAUX la démonte, CONCATENE et RETIRENOEUDS \
+             pôle, dans l'ordre, ou un facteur pour tous. MORCEAUX la démonte, CONCATENE et RETIRENOEUDS \
              la remontent, exactement.",
         ),
         parameters: &[
@@ -91,7 +91,7 @@ pub(super) static ENTRIES: &[Operator] = &[
             Parameter::new(
                 Takes::Any,
                 words("weights", "poids"),
-                words("One for each pole, or a number for all.", "Un par pôle, ou un seul nombre."),
+                words("One for each pole, or a factor for all.", "Un par pôle, ou un facteur."),
             ),
             Parameter::new(
                 Takes::List,
@@ -208,9 +208,13 @@ pub(super) fn per_axis<S: Arithmetic, T: Clone>(
 
 fn nurbs<S: Arithmetic>(a: &Bound<S>) -> Outcome<S> {
     let net = a.form(0)?;
-    let weights = match a.value(1) {
-        Value::Number(weight) => vec![weight; net.pole_count()],
-        Value::List(_) => a.flat_numbers(1)?,
+    let net = match a.value(1) {
+        // One factor for all: the weights that the points bring stay in proportion.
+        Value::Number(weight) => net.map_scalar(|x| x.clone() * weight.clone())?,
+        Value::List(_) => {
+            let weights = a.flat_numbers(1)?;
+            Form::from_points(net.orders(), net.ambient(), &net.points()?, Some(&weights))?
+        }
         other => return Err(a.mistyped(1, &other)),
     };
     let lists = a.list(2)?;
@@ -226,7 +230,6 @@ fn nurbs<S: Arithmetic>(a: &Bound<S>) -> Outcome<S> {
     } else {
         vec![numbers(&lists)?]
     };
-    let net = Form::from_points(net.orders(), net.ambient(), &net.points()?, Some(&weights))?;
     Ok(operators::nurbs(net, knots)?.into())
 }
 

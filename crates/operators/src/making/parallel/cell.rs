@@ -122,12 +122,12 @@ fn squares(normal: &Form, length: &Form) -> Result<Form> {
     let degrees = most(&normal.degrees(), &length.degrees());
     let orders: Vec<usize> = degrees.iter().map(|degree| degree + 1).collect();
     let length = Scaled::from_form(&raise_to(length, &orders)?).component(0);
-    valued(square_of(&raise_to(normal, &orders)?)?.minus(&length.times(&length)?))
+    valued(&square_of(&raise_to(normal, &orders)?)?.minus(&length.times(&length)?))
 }
 
 /// `|N|²`, as a function.
 pub(super) fn square(normal: &Form) -> Result<Form> {
-    valued(square_of(normal)?)
+    valued(&square_of(normal)?)
 }
 
 fn square_of(normal: &Form) -> Result<Scaled> {
@@ -141,7 +141,7 @@ fn square_of(normal: &Form) -> Result<Scaled> {
     Ok(sum)
 }
 
-fn valued(polynomial: Scaled) -> Result<Form> {
+fn valued(polynomial: &Scaled) -> Result<Form> {
     let one = Scaled::one(polynomial.degrees())?;
     polynomial.beside(&one).into_form()
 }
