@@ -102,22 +102,11 @@ fn summed<'py>(
     py: Python<'py>,
 ) -> PyResult<Object<'py>> {
     let size: usize = list.iter().map(|shape| shape.net().homogeneous().len()).sum();
-    let cost = if pointwise { product_work(list) } else { size as f64 };
+    let nets: Vec<_> = list.iter().map(Poles::net).collect();
+    let cost = if pointwise { operators::pointwise_work(&nets) } else { size as f64 };
     require_feasible("the combination", cost)?;
     let sum = done(py, cost as usize, || operators::combine_shapes(&k, list, pointwise))?;
     shapes::object(py, sum)
-}
-
-/// Multiplications that a common denominator asks for.
-fn product_work(list: &[Shape]) -> f64 {
-    let nets = || list.iter().map(Poles::net);
-    let axes = nets().map(|net| net.axes()).max().unwrap_or(0);
-    let degree = |axis: usize| -> usize {
-        nets().filter_map(|net| net.orders().get(axis)).map(|order| order - 1).sum()
-    };
-    let result: f64 = (0..axes).map(|axis| (degree(axis) + 1) as f64).product();
-    let widest = nets().map(|net| net.homogeneous().len()).max().unwrap_or(0);
-    result * widest as f64 * (list.len() as f64).powi(2)
 }
 
 /// A form carried along a vector or a path, and all it passes through.
@@ -339,6 +328,9 @@ macro_rules! methods {
                                                 signature = (form, *, pointwise=None),
                                                 text_signature = "($self, form, *, pointwise=False)"
                                             )]
+            #[pyo3(name = "symmetric")]
+            #[pyo3(signature = (form, *, pointwise=None))]
+            #[pyo3(text_signature = "($self, form, *, pointwise=False)")]
             fn symmetric_to<'py>(
                 slf: &Bound<'py, Self>,
                 form: &Object<'py>,

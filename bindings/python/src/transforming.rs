@@ -414,12 +414,9 @@ macro_rules! methods {
             /// >>> pf.Form([(1, 0), (2, 0)]).rotate(90, unit="degrees").poles
             /// array([[0., 1.],
             ///        [0., 2.]])
-            #[pyo3(
-                        name = "rotate",
-                        signature = (angle, axis=None, *, centre=None, plane=None, unit=None),
-                        text_signature =
-                            "($self, angle, axis=None, *, centre=None, plane=None, unit='radians')"
-                    )]
+            #[pyo3(name = "rotate")]
+            #[pyo3(signature = (angle, axis=None, *, centre=None, plane=None, unit=None))]
+            #[pyo3(text_signature = "($self, angle, axis=None, *, centre=None, plane=None, unit='radians')")]
             fn rotated<'py>(
                 slf: &Bound<'py, Self>,
                 angle: &Object<'py>,
@@ -479,10 +476,8 @@ macro_rules! methods {
             /// >>> pf.Form([(0, 0, 1), (1, 0, 2)]).project_to_plane((0, 0, 1)).poles
             /// array([[0., 0., 0.],
             ///        [1., 0., 0.]])
-            #[pyo3(
-                        name = "project_to_plane",
-                        signature = (normal, *, origin=None, direction=None, lamp=None)
-                    )]
+            #[pyo3(name = "project_to_plane")]
+            #[pyo3(signature = (normal, *, origin=None, direction=None, lamp=None))]
             fn projected_to_plane<'py>(
                 slf: &Bound<'py, Self>,
                 normal: &Object<'py>,

@@ -5,7 +5,7 @@
 //! and as roughly in exact mode. Rust and Python may go beyond.
 
 use pforms_kernel::{Error, Form, Kind};
-use pforms_operators::{Immersed, Knots, Shape, Spline};
+use pforms_operators::{Immersed, Knots, Shape, Spline, pointwise_work};
 
 use crate::{Arithmetic, Failure};
 
@@ -87,16 +87,16 @@ pub(crate) fn require_sweepable<S: Arithmetic>(
     require::<S>(work * long(longest(matrix.homogeneous()) + longest(section.homogeneous())))
 }
 
-/// Passes if forms may be multiplied with one another, as a common denominator asks for.
-pub(crate) fn require_product<S: Arithmetic>(forms: &[&Form<S>]) -> Result<(), Failure> {
-    let axes = forms.iter().map(|form| form.axes()).max().unwrap_or(0);
-    let degree = |axis: usize| -> usize {
-        forms.iter().filter_map(|form| form.orders().get(axis)).map(|order| order - 1).sum()
-    };
-    let result: f64 = (0..axes).map(|axis| (degree(axis) + 1) as f64).product();
-    let widest = forms.iter().map(|form| form.homogeneous().len()).max().unwrap_or(0) as f64;
+/// Passes if every pole of the one may be multiplied with every pole of the other.
+pub(crate) fn require_product<S: Arithmetic>(f: &Form<S>, g: &Form<S>) -> Result<(), Failure> {
+    let work = f.homogeneous().len() as f64 * g.homogeneous().len() as f64;
+    require::<S>(work * long(longest(f.homogeneous()) + longest(g.homogeneous())))
+}
+
+/// Passes if the points of forms may be combined over their common denominator.
+pub(crate) fn require_combinable<S: Arithmetic>(forms: &[&Form<S>]) -> Result<(), Failure> {
     let bits: f64 = forms.iter().map(|form| longest(form.homogeneous())).sum();
-    require::<S>(result * widest * (forms.len() as f64).powi(2) * long(bits))
+    require::<S>(pointwise_work(forms) * long(bits))
 }
 
 /// Passes if `inner` may be immersed in `host`, `copies` times.

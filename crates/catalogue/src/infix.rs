@@ -199,7 +199,7 @@ fn of_shapes<S: Arithmetic>(sign: Infix, a: &Shape<S>, b: &Shape<S>) -> Option<O
 }
 
 fn product<S: Arithmetic>(f: &Form<S>, g: &Form<S>) -> Outcome<S> {
-    require_product(&[f, g])?;
+    require_product(f, g)?;
     Ok(multiply(f, g)?.into())
 }
 

@@ -4,7 +4,7 @@ use pforms_kernel::Rational;
 use pforms_operators::{self as operators, Poles, Shape};
 
 use super::{Outcome, PLAIN};
-use crate::cost::require_product;
+use crate::cost::require_combinable;
 use crate::operator::{Group, call};
 use crate::parameter::Fallback;
 use crate::words::words;
@@ -112,7 +112,7 @@ fn symmetric<S: Arithmetic>(a: &Bound<S>) -> Outcome<S> {
 
 fn require_affordable<S: Arithmetic>(shapes: &[Shape<S>], pointwise: bool) -> Result<(), Failure> {
     if pointwise {
-        require_product(&shapes.iter().map(Poles::net).collect::<Vec<_>>())?;
+        require_combinable(&shapes.iter().map(Poles::net).collect::<Vec<_>>())?;
     }
     Ok(())
 }

@@ -53,7 +53,7 @@ pub use immerse::{Forecast, forecast, immerse, immerse_points};
 pub use lazy::Immersed;
 pub use mirror::{mirror, reflection};
 pub use partition::partition;
-pub use pointwise::{combine_pointwise, multiply};
+pub use pointwise::{combine_pointwise, multiply, pointwise_work};
 pub use project_to_plane::{project_to_plane, projection};
 pub use rational::{
     Axis, Part, arc_by_step, circle, cone, conic, cross, cylinder, ellipse, hyperbola_by, parabola,

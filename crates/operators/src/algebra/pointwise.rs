@@ -40,6 +40,22 @@ pub fn combine_pointwise<S: Scalar>(k: &[S], forms: &[&Form<S>]) -> Result<Form<
     plan.sum(k, &forms)
 }
 
+/// Multiplications that [`combine_pointwise`] takes, more or less: a forecast.
+pub fn pointwise_work<S: Scalar>(forms: &[&Form<S>]) -> f64 {
+    let Ok(forms) = spread(forms) else { return 0.0 };
+    let axes = forms.iter().map(Form::axes).min().unwrap_or(0);
+    let plan = Plan::of(&forms);
+    let degree = |index: usize, axis: usize| (forms[index].orders()[axis] - 1) as f64;
+    let order = |axis: usize| {
+        let weights: f64 = plan.owners.iter().map(|&owner| degree(owner, axis)).sum();
+        weights + (0..forms.len()).map(|index| degree(index, axis)).fold(0.0, f64::max) + 1.0
+    };
+    let result: f64 = (0..axes).map(order).product();
+    let numbers = forms.iter().map(|form| form.homogeneous().len());
+    let (all, widest) = (numbers.clone().sum::<usize>(), numbers.max().unwrap_or(0));
+    all as f64 + result * widest as f64 * (plan.owners.len() as f64).powi(2)
+}
+
 /// [`combine_pointwise`] of splines, piece by piece on their common knots.
 ///
 /// Errors: as [`combine_pointwise`]; `Shape` when the windows differ.
