@@ -112,8 +112,8 @@ pub(super) static ENTRIES: &[Operator] = &[
     },
     Operator {
         name: "waving_pipe",
-        english: &["WAVING_PIPE"],
-        french: &["TUBE_ONDULE"],
+        english: &["WAVINGPIPE"],
+        french: &["TUBEONDULE"],
         summary: words(
             "A tube whose radius swells and shrinks as a sine.",
             "Un tube dont le rayon enfle et s'amincit comme un sinus.",
@@ -147,7 +147,7 @@ pub(super) static ENTRIES: &[Operator] = &[
             TOLERANCE,
             part("tube", PARTS),
         ],
-        example: "=WAVING_PIPE([(0, 0, 0), (2, 0, 0), (2, 2, 1)], [(1/4, 0), (0, 1/4), (-1/4, 0)], 1/2, 3)",
+        example: "=WAVINGPIPE([(0, 0, 0), (2, 0, 0), (2, 2, 1)], [(1/4, 0), (0, 1/4), (-1/4, 0)], 1/2, 3)",
         source: "book 324",
         see: &["pipe", "affine_sweep"],
         call: call!(floating waving_pipe),

@@ -17,7 +17,7 @@ use super::{Knots, Shape, Spline, stack};
 /// use pforms_kernel::Form;
 /// let base: Form = Form::from_points(&[3], 2, &[0., 0., 1., 0., 2., 0.], None)?;
 /// let cone = pforms_operators::ruled(&base, &Form::point(&[1., 3.])?)?;
-/// assert_eq!(cone.at(&[1.0, 0.2])?, [1., 3.]);
+/// assert_eq!(cone.at(&[1.0, 0.25])?, [1., 3.]);
 /// # Ok::<(), pforms_kernel::Error>(())
 /// ```
 pub fn ruled<S: Scalar>(a: &Form<S>, b: &Form<S>) -> Result<Form<S>> {

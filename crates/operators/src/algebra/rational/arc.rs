@@ -23,9 +23,9 @@ use crate::{Shape, Spline, elevate};
 /// use pforms_kernel::{Rational, Scalar};
 /// use pforms_operators::arc_by_step;
 /// let step = [Rational::ratio(4, 5), Rational::ratio(3, 5)];
-/// let arc = arc_by_step(&Rational::from_integer(1), &step, 3)?;
-/// let end = [Rational::ratio(7, 25), Rational::ratio(24, 25), Rational::from_integer(0)];
-/// assert_eq!(arc.at(&[Rational::from_integer(1)])?, end);
+/// let arc = arc_by_step(&Rational::ratio(1, 1), &step, 3)?;
+/// let end = [Rational::ratio(7, 25), Rational::ratio(24, 25), Rational::ratio(0, 1)];
+/// assert_eq!(arc.at(&[Rational::ratio(1, 1)])?, end);
 /// # Ok::<(), pforms_kernel::Error>(())
 /// ```
 pub fn arc_by_step<S: Scalar>(radius: &S, step: &[S; 2], order: usize) -> Result<Form<S>> {

@@ -87,7 +87,7 @@ pub struct Parallel {
 /// use pforms_kernel::Form;
 /// use pforms_operators::{ParallelOptions, parallel};
 /// let parabola: Form = Form::from_points(&[3], 2, &[0., 0., 1., 2., 2., 0.], None)?;
-/// let near = parallel(parabola, -0.5, &ParallelOptions::new(1e-6))?; // right of it: above
+/// let near = parallel(parabola, 0.5, &ParallelOptions::new(1e-6))?; // left of it: above
 /// let top = near.spline.at(&[0.5])?;
 /// assert!((top[1] - 1.5).abs() <= near.error && near.error < 1e-6);
 /// # Ok::<(), pforms_kernel::Error>(())
