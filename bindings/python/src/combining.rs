@@ -323,11 +323,6 @@ macro_rules! methods {
             /// >>> pf.Form([(1, 0), (1, 2)]).symmetric(pf.Form([(0, 0), (0, 1)])).poles
             /// array([[2., 0.],
             ///        [2., 3.]])
-            #[pyo3(
-                                                name = "symmetric",
-                                                signature = (form, *, pointwise=None),
-                                                text_signature = "($self, form, *, pointwise=False)"
-                                            )]
             #[pyo3(name = "symmetric")]
             #[pyo3(signature = (form, *, pointwise=None))]
             #[pyo3(text_signature = "($self, form, *, pointwise=False)")]
