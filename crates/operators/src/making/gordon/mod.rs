@@ -7,6 +7,7 @@
 mod blends;
 mod crossing;
 mod crossings;
+mod family;
 mod follow;
 mod network;
 mod order;
