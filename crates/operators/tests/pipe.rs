@@ -333,15 +333,24 @@ fn a_radius_may_touch_zero_and_not_cross_it() {
 
 #[test]
 fn sizes_do_not_matter() {
-    for scale in [1e-150, 1e-9, 1e9, 1e150] {
+    let bending = tube(&bending_curve(), &circle(), &of(0.2)).bending;
+    for scale in [1e-290, 1e-200, 1e-160, 1e-150, 1e-9, 1e9, 1e150, 1e200, 1e290] {
         let path = bending_curve();
         let scaled: Vec<f64> = path.points().unwrap().iter().map(|x| x * scale).collect();
         let path = Form::from_points(&[4], 3, &scaled, None).unwrap();
         let tube = tube(&path, &circle(), &of(0.2 * scale));
-        assert!(tube.error < 0.2 * scale * 1e-6, "{}", tube.error);
+        assert!(tube.error < 0.2 * scale * 1e-6 && tube.error > 0.0, "{}", tube.error);
+        assert!((tube.bending - bending).abs() < 1e-9, "{}", tube.bending);
         let p = tube.spline.at(&[0.4, 0.6]).unwrap();
-        let gap = distance(&path.at(&[0.4]).unwrap(), &p);
-        assert!((gap / scale - 0.2).abs() < 1e-6, "{gap}");
+        let unscaled = |point: &[f64]| point.iter().map(|x| x / scale).collect::<Vec<_>>();
+        let gap = distance(&unscaled(&path.at(&[0.4]).unwrap()), &unscaled(&p));
+        assert!((gap - 0.2).abs() < 1e-6, "{gap}");
+        // A small section instead of a small radius.
+        let points: Vec<f64> =
+            [-1., 0., 0., -1., 3., 0., 0., 1., -1., 0.].map(|x| x * scale).into();
+        let small = Form::from_points(&[5], 2, &points, Some(&[1., 0., 1. / 3., 0., 1.])).unwrap();
+        let same = pipe(&path.clone().into(), &small.into(), &of(0.2)).unwrap();
+        assert!((same.bending - bending).abs() < 1e-9 && same.error > 0.0);
     }
 }
 

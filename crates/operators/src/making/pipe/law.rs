@@ -89,6 +89,32 @@ impl Law {
         Ok(())
     }
 
+    /// The same law in another unit.
+    pub(super) fn scaled(&self, factor: f64) -> Result<Self> {
+        let in_range = |value: f64| {
+            let product = value * factor;
+            if product.is_finite() {
+                return Ok(product);
+            }
+            Err(Error::domain("radius", value, "a radius within 1e300 times the path's size"))
+        };
+        Ok(match self {
+            Self::Constant(value) => Self::Constant(in_range(*value)?),
+            Self::Wave { mean, amplitude, periods } => {
+                Self::Wave { mean: in_range(*mean)?, amplitude: *amplitude, periods: *periods }
+            }
+            Self::Varying(curve) => {
+                let net = curve.net();
+                let mut poles = net.homogeneous().to_vec();
+                for pole in poles.chunks_exact_mut(2) {
+                    pole[0] = in_range(pole[0])?;
+                }
+                let net = Form::from_homogeneous(net.orders(), 1, poles)?;
+                Self::Varying(Spline::on(net, curve.knots().to_vec())?)
+            }
+        })
+    }
+
     /// No value is further from 0.
     pub(super) fn most(&self) -> Result<f64> {
         let cuts = [vec![0.0], self.breaks(), vec![1.0]].concat();

@@ -16,7 +16,7 @@ mod turning;
 mod unit;
 mod vector;
 
-use pforms_kernel::{Error, Result};
+use pforms_kernel::{Error, Form, Result};
 
 pub use law::Law;
 
@@ -113,15 +113,54 @@ pub struct Pipe {
 /// ```
 pub fn pipe(path: &Spline, section: &Spline, options: &PipeOptions) -> Result<Pipe> {
     let path = in_space(path)?;
-    let section = Section::new(section)?;
     options.radius.check("radius")?;
     options.radius.require_positive("radius")?;
     options.twist.check("twist")?;
+    check_tolerance(options.tolerance)?;
+    let (unit, width) = (unit_of(path.net()), unit_of(section.net()));
+    let options = PipeOptions {
+        radius: options.radius.scaled(width / unit)?,
+        tolerance: options.tolerance.map(|tolerance| tolerance / unit),
+        ..options.clone()
+    };
+    let tube = made(&scaled(&path, 1.0 / unit)?, &scaled(section, 1.0 / width)?, &options, unit)?;
+    Ok(Pipe { spline: scaled(&tube.spline, unit)?, error: tube.error * unit, ..tube })
+}
+
+/// A power of two about as large as the coordinates: in this unit squares neither vanish nor
+/// overflow.
+fn unit_of(net: &Form) -> f64 {
+    let (mut size, mut heaviest) = (0.0_f64, 0.0_f64);
+    for pole in net.homogeneous().chunks_exact(net.width()) {
+        size = pole[..net.ambient()].iter().fold(size, |most, x| most.max(x.abs()));
+        heaviest = heaviest.max(pole[net.ambient()].abs());
+    }
+    let size = size / heaviest;
+    if size > 0.0 && size.is_finite() {
+        libm::ldexp(1.0, libm::ilogb(size).clamp(-1000, 1000))
+    } else {
+        1.0
+    }
+}
+
+/// The spline with its coordinates multiplied.
+fn scaled(spline: &Spline, factor: f64) -> Result<Spline> {
+    let net = spline.net();
+    let mut poles = net.homogeneous().to_vec();
+    for pole in poles.chunks_exact_mut(net.width()) {
+        pole[..net.ambient()].iter_mut().for_each(|x| *x *= factor);
+    }
+    Spline::on(Form::from_homogeneous(net.orders(), net.ambient(), poles)?, spline.knots().to_vec())
+}
+
+/// The tube of a path and a section of about size 1, in a unit that only errors name.
+fn made(path: &Spline, section: &Spline, options: &PipeOptions, unit: f64) -> Result<Pipe> {
+    let section = Section::new(section)?;
     let reach = section.reach * options.radius.most()?;
-    let tolerance = tolerance(options.tolerance, reach)?;
+    let tolerance = options.tolerance.unwrap_or(if reach > 0.0 { reach * 1e-6 } else { 1.0 });
     let mut cuts = [options.radius.breaks(), options.twist.breaks()].concat();
     cuts.sort_by(f64::total_cmp);
-    let parts = parts(&path, &cuts)?;
+    let parts = parts(path, &cuts)?;
     // As much for the frame as for its radius and twist, the rest for rounding and the seam; three
     // vectors' errors may add up, and a twist mixes two.
     let share = 0.4 * tolerance / 3_f64.sqrt();
@@ -152,18 +191,18 @@ pub fn pipe(path: &Spline, section: &Spline, options: &PipeOptions) -> Result<Pi
     let spline = affine_sweep_spline(&matrix, section.spline)?;
     let error = error(&shaped, &section) + if whole { seam } else { 0.0 };
     if error > tolerance && reach > 0.0 {
-        return Err(Error::accuracy("tolerance", tolerance, format!("{error:e} at least")));
+        let least = format!("{:e} at least", error * unit);
+        return Err(Error::accuracy("tolerance", tolerance * unit, least));
     }
     Ok(Pipe { spline, error, bending: bending(&shaped, &section), closing })
 }
 
-/// The tolerance in force.
-fn tolerance(given: Option<f64>, reach: f64) -> Result<f64> {
+fn check_tolerance(given: Option<f64>) -> Result<()> {
     match given {
-        Some(tolerance) if tolerance.is_finite() && tolerance > 0.0 => Ok(tolerance),
-        Some(tolerance) => Err(Error::domain("tolerance", tolerance, "a distance above 0")),
-        None if reach > 0.0 => Ok(reach * 1e-6),
-        None => Ok(f64::MIN_POSITIVE),
+        Some(tolerance) if !(tolerance.is_finite() && tolerance > 0.0) => {
+            Err(Error::domain("tolerance", tolerance, "a distance above 0"))
+        }
+        _ => Ok(()),
     }
 }
 
@@ -186,7 +225,7 @@ fn is_closed(frames: &[Frame], wanted: Option<bool>) -> Result<bool> {
     let corner = norm(&plus(&departs, -1.0, &arrives));
     let closed = gap <= 1e-9 * extent && corner <= 1e-6;
     if wanted == Some(true) && !closed {
-        let received = format!("ends {gap:e} apart, with tangents {corner:e} apart");
+        let received = format!("ends {gap:e} of its size apart, tangents {corner:e} apart");
         return Err(Error::degenerate("path", received, "a closed path, as closed says"));
     }
     Ok(closed)

@@ -185,7 +185,7 @@ fn require_joined(parts: &[Part]) -> Result<()> {
     for pair in parts.windows(2) {
         let gap = gap(&pair[0], &pair[1]);
         if gap > GAP * extent {
-            let received = format!("a gap of {gap:e} at {}", pair[1].from);
+            let received = format!("a gap of {gap:e} of its size at {}", pair[1].from);
             return Err(Error::degenerate("path", received, "a curve in one piece"));
         }
     }
