@@ -95,7 +95,7 @@ from pforms._pforms import (
     viviani,
     waving_pipe,
 )
-from pforms.either import either
+from pforms.either import either, of_forms
 from pforms.errors import (
     AccuracyError,
     ArgumentError,
@@ -126,33 +126,33 @@ from pforms.records import (
     Unrolling,
 )
 
-binormal_form = Form.binormal_form
-blossom = Form.blossom
+binormal_form = either(Form.binormal_form, Spline.binormal_form)
+blossom = of_forms(Form.blossom)
 curvature = either(Form.curvature, Spline.curvature)
 derivative = either(Form.derivative, Spline.derivative)
-diagonal = Form.diagonal
+diagonal = either(Form.diagonal, Spline.diagonal)
 join = join_forms
 elevate = either(Form.elevate, Spline.elevate)
 evaluate = either(Form.evaluate, Spline.evaluate)
 frame = either(Form.frame, Spline.frame)
 hodograph = either(Form.hodograph, Spline.hodograph)
-normal_form = Form.normal_form
+normal_form = either(Form.normal_form, Spline.normal_form)
 normals = either(Form.normals, Spline.normals)
 project = either(Form.project, Spline.project)
-reduce = Form.reduce
-reparametrise = Form.reparametrise
+reduce = of_forms(Form.reduce)
+reparametrise = of_forms(Form.reparametrise)
 reverse = either(Form.reverse, Spline.reverse)
 split = either(Form.split, Spline.split)
 stretch = either(Form.stretch, Spline.stretch)
 sub = either(Form.sub, Spline.sub)
 subdivide = either(Form.subdivide, Spline.subdivide)
-tangent_form = Form.tangent_form
+tangent_form = either(Form.tangent_form, Spline.tangent_form)
 transpose = either(Form.transpose, Spline.transpose)
-unstack = Form.unstack
-whole_line = Form.whole_line
+unstack = of_forms(Form.unstack)
+whole_line = of_forms(Form.whole_line)
 with_pole = either(Form.with_pole, Spline.with_pole)
 
-del either
+del either, of_forms
 
 __all__ = [
     "AccuracyError",

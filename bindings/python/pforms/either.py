@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 from functools import wraps
-from typing import TYPE_CHECKING, Any, Concatenate, ParamSpec, Protocol, TypeVar, overload
+from typing import TYPE_CHECKING, Any, Concatenate, ParamSpec, Protocol, TypeVar, cast, overload
 
-from pforms._pforms import Spline
+from pforms._pforms import Form, Spline
+from pforms.errors import ArgumentError
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from pforms._pforms import Form
-
 _P = ParamSpec("_P")
+_Method = TypeVar("_Method", bound="Callable[..., Any]")
 _OfForm = TypeVar("_OfForm", covariant=True)
 _OfSpline = TypeVar("_OfSpline", covariant=True)
 
@@ -39,7 +39,35 @@ def either(
 
     @wraps(of_form)
     def operator(form: Any, /, *args: Any, **kwargs: Any) -> Any:  # noqa: ANN401
-        method: Any = of_spline if isinstance(form, Spline) else of_form
-        return method(form, *args, **kwargs)
+        if isinstance(form, Form):
+            return of_form(form, *args, **kwargs)
+        if isinstance(form, Spline):
+            return of_spline(form, *args, **kwargs)
+        raise _mistyped(form, "a pforms.Form or a pforms.Spline")
 
     return operator
+
+
+def of_forms(method: _Method) -> _Method:
+    """A method of forms as a function that says what it is given.
+
+    >>> import pforms as pf
+    >>> pf.whole_line(3)
+    Traceback (most recent call last):
+    pforms.ArgumentError: form: received an int, expected a pforms.Form
+    """
+
+    @wraps(method)
+    def operator(form: Any, /, *args: Any, **kwargs: Any) -> Any:  # noqa: ANN401
+        if isinstance(form, Form):
+            return method(form, *args, **kwargs)
+        hint = ", such as one of its pieces" if isinstance(form, Spline) else ""
+        raise _mistyped(form, "a pforms.Form" + hint)
+
+    return cast("_Method", operator)
+
+
+def _mistyped(received: object, expected: str) -> ArgumentError:
+    name = type(received).__name__
+    article = "an" if name[0] in "aeiou" else "a"
+    return ArgumentError(f"form: received {article} {name}, expected {expected}")

@@ -1,6 +1,6 @@
 //! Hosts as spaces to draw in: segments, polylines, tiles, and any map of the poles.
 
-use pforms_kernel::Error;
+use pforms_kernel::{Error, Form};
 use pforms_operators as operators;
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
@@ -10,8 +10,10 @@ use crate::arrays::Numbers;
 use crate::errors::{done, fail, mistyped, raised};
 use crate::form::PyForm;
 use crate::forms::Forms;
+use crate::immersed::spline_immersed;
 use crate::operators::immersion_work;
 use crate::slices::require_feasible;
+use crate::spline::PySpline;
 
 /// The immersed segment from parameter point ``a`` to parameter point ``b`` of the host.
 ///
@@ -19,7 +21,8 @@ use crate::slices::require_feasible;
 ///
 /// Parameters
 /// ----------
-/// host : Form
+/// host : Form or Spline
+///     In a spline the segment is a spline, cut where it crosses the knots.
 /// a, b : sequence of float
 ///     One parameter for each axis of the host.
 ///
@@ -35,17 +38,26 @@ use crate::slices::require_feasible;
 /// True
 #[pyfunction]
 #[pyo3(signature = (host, a, b))]
-pub(crate) fn segment(
-    host: &Bound<'_, PyAny>,
-    a: &Bound<'_, PyAny>,
-    b: &Bound<'_, PyAny>,
-) -> PyResult<PyForm> {
-    let form = form("host", host)?;
+pub(crate) fn segment<'py>(
+    host: &Bound<'py, PyAny>,
+    a: &Bound<'py, PyAny>,
+    b: &Bound<'py, PyAny>,
+) -> PyResult<Bound<'py, PyAny>> {
     let (from, to) = (reals("a", a, 1)?, reals("b", b, 1)?);
     require_finite("a", &from)?;
     require_finite("b", &to)?;
+    if let Ok(spline) = host.cast::<PySpline>() {
+        let net = spline.get().spline.net();
+        net.require_per_axis("a", &from).map_err(|error| raised(&error))?;
+        net.require_per_axis("b", &to).map_err(|error| raised(&error))?;
+        let line = Form::from_points(&[2], from.len(), &[from, to].concat(), None);
+        let line = PyForm::from(line.map_err(|error| raised(&error))?);
+        return spline_immersed(Bound::new(host.py(), line)?.as_any(), host);
+    }
+    let form = form("host", host)?;
     let cost = form.homogeneous().len().saturating_mul(form.axes() + 1);
-    done(host.py(), cost, || operators::segment(&form, &from, &to)).map(PyForm::from)
+    let curve = done(host.py(), cost, || operators::segment(&form, &from, &to))?;
+    Ok(Bound::new(host.py(), PyForm::from(curve))?.into_any())
 }
 
 /// The immersed segments from each parameter point to the next: a list of curves.

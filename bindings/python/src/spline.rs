@@ -1,5 +1,7 @@
 //! The class `Spline`: forms end to end, with knots.
 
+use std::hash::{DefaultHasher, Hash, Hasher};
+
 use numpy::PyArrayDyn;
 use pforms_kernel::{Error, Form};
 use pforms_operators::{Poles, Spline};
@@ -337,6 +339,17 @@ impl PySpline {
 
     fn __eq__(&self, other: &Self) -> bool {
         self.spline == other.spline
+    }
+
+    fn __hash__(&self) -> u64 {
+        let mut hasher = DefaultHasher::new();
+        self.spline.net().orders().hash(&mut hasher);
+        let knots = self.spline.knots().iter().flat_map(|knots| knots.as_slice());
+        for x in self.spline.net().homogeneous().iter().chain(knots) {
+            // −0 equals 0, so they hash alike.
+            (x + 0.0).to_bits().hash(&mut hasher);
+        }
+        hasher.finish()
     }
 
     fn __copy__(slf: PyRef<'_, Self>) -> PyRef<'_, Self> {

@@ -1,13 +1,13 @@
 //! Operators on one spline, as methods.
 
 use numpy::PyArrayDyn;
-use pforms_kernel::Result;
+use pforms_kernel::{Error, Result};
 use pforms_operators::{Poles, Removal, Spline};
 use pyo3::prelude::*;
-use pyo3::types::PyTuple;
+use pyo3::types::{PyString, PyTuple};
 
 use crate::arguments::{axis, level, real, reals, whole, wholes};
-use crate::errors::{done, raised};
+use crate::errors::{done, fail, raised};
 use crate::files::save;
 use crate::form::{PyForm, with_pole};
 use crate::measuring::{curvature, frame, normals};
@@ -222,6 +222,58 @@ impl PySpline {
     fn hodograph(&self, py: Python<'_>, axis: Option<&Bound<'_, PyAny>>) -> PyResult<Self> {
         let k = axis.map_or(Ok(0), |axis| self.axis(axis))?;
         self.worked(py, |spline| spline.hodograph(k))
+    }
+
+    /// Identifies two axes of one window, as :meth:`Form.diagonal`.
+    ///
+    /// >>> facet = pf.Form([[(0, 0, 0), (0, 1, 1)], [(1, 0, 1), (1, 1, 0)]])
+    /// >>> facet.subdivide(1).diagonal()
+    /// <pforms.Spline of 2 pieces pL3 in 3D>
+    #[pyo3(signature = (axes=None))]
+    fn diagonal(&self, py: Python<'_>, axes: Option<&Bound<'_, PyAny>>) -> PyResult<Self> {
+        let last = self.spline.axes().saturating_sub(1);
+        let Some(axes) = axes else {
+            return self.worked(py, |spline| spline.diagonal(last.saturating_sub(1), last));
+        };
+        if axes.cast::<PyString>().is_ok_and(|text| text.to_string_lossy() == "all") {
+            return self.worked(py, |spline| {
+                let mut merged = spline.clone();
+                while merged.axes() > 1 {
+                    merged = merged.diagonal(0, 1)?;
+                }
+                Ok(merged)
+            });
+        }
+        match *wholes("axes", axes, 1)? {
+            [first, second] => self.worked(py, |spline| spline.diagonal(first, second)),
+            ref other => fail(&Error::shape("axes", format!("{other:?}"), "two axes, or \"all\"")),
+        }
+    }
+
+    /// The tangent along ``axis`` as a spline of vectors, as :meth:`Form.tangent_form`.
+    ///
+    /// >>> pf.Form([(0, 0), (1, 2), (2, 0)]).subdivide(1).tangent_form()(0.25)
+    /// array([2., 2.])
+    #[pyo3(signature = (axis=None), text_signature = "($self, axis=0)")]
+    fn tangent_form(&self, py: Python<'_>, axis: Option<&Bound<'_, PyAny>>) -> PyResult<Self> {
+        let k = axis.map_or(Ok(0), |axis| self.axis(axis))?;
+        self.worked(py, |spline| spline.tangent_form(k))
+    }
+
+    /// The normal as a spline of vectors, as :meth:`Form.normal_form`.
+    ///
+    /// >>> pf.Form([(0, 0), (2, 4), (4, 0)]).subdivide(1).normal_form()(0)
+    /// array([-8.,  4.])
+    fn normal_form(&self, py: Python<'_>) -> PyResult<Self> {
+        self.worked(py, Spline::normal_form)
+    }
+
+    /// The binormal of a curve in 3D as a spline of vectors, as :meth:`Form.binormal_form`.
+    ///
+    /// >>> pf.Form([(0, 0, 0), (1, 0, 0), (2, 2, 0)]).subdivide(1).binormal_form()(0.5)
+    /// array([0., 0., 8.])
+    fn binormal_form(&self, py: Python<'_>) -> PyResult<Self> {
+        self.worked(py, Spline::binormal_form)
     }
 
     /// The same spline with one pole at another place, as :meth:`Form.with_pole`.

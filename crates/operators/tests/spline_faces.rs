@@ -42,7 +42,7 @@ fn stretching_is_a_change_of_parameter() {
     let spline = curve::<Q>(true);
     for (a, b) in [(q(1, 3), q(2, 1)), (q(5, 2), q(0, 1)), (q(-1, 1), q(4, 1)), (q(4, 1), q(-1, 2))]
     {
-        let part = spline.stretch(&[a.clone()], &[b.clone()]).unwrap();
+        let part = spline.stretch(std::slice::from_ref(&a), std::slice::from_ref(&b)).unwrap();
         for k in [0, 1, 2, 5, 7] {
             let t = q(k, 7);
             let there = a.clone() + t.clone() * (b.clone() - a.clone());
@@ -69,10 +69,11 @@ fn sums_are_sums_of_points_with_their_weights() {
     let Shape::Spline(sum) = combine_shapes(&k, &shapes, false).unwrap() else { panic!() };
     for t in [q(0, 1), q(1, 5), q(1, 2), q(2, 1), q(3, 1)] {
         let part = |spline: &Spline<Q>| {
-            Form::from_homogeneous(&[], 2, spline.homogeneous_at(&[t.clone()]).unwrap()).unwrap()
+            Form::from_homogeneous(&[], 2, spline.homogeneous_at(std::slice::from_ref(&t)).unwrap())
+                .unwrap()
         };
         let expected = combine(&k, &[&part(&a), &part(&b), &point]).unwrap();
-        assert_eq!(sum.homogeneous_at(&[t.clone()]).unwrap(), expected.homogeneous());
+        assert_eq!(sum.homogeneous_at(std::slice::from_ref(&t)).unwrap(), expected.homogeneous());
     }
     let far = form.on_window(0, &q(0, 1), &q(9, 1)).unwrap();
     let error = combine_shapes(&[q(1, 1), q(1, 1)], &[a.into(), far.into()], false).unwrap_err();
@@ -250,4 +251,26 @@ fn the_foot_is_the_nearest_of_all_pieces() {
     // As near to both sides.
     assert!(!foot.unique[1]);
     assert_eq!(foot.distances[1], 1.0);
+}
+
+#[test]
+fn the_diagonal_runs_through_both_parameters() {
+    let spline = surface::<Q>().on_window(0, &q(0, 1), &q(3, 1)).unwrap();
+    let curve = spline.diagonal(1, 0).unwrap();
+    assert_eq!(curve.degrees(), [3]);
+    for t in [q(0, 1), q(1, 2), q(1, 1), q(5, 3), q(9, 4), q(3, 1)] {
+        let there = spline.at(&[t.clone(), t.clone()]).unwrap();
+        assert_eq!(curve.at(&[t]).unwrap(), there);
+    }
+    let stack: Spline<Q> = Spline::new(spline.net().reshape(&[5, 4, 1]).unwrap(), &[2, 1, 0], {
+        let lists = spline.knots().iter().map(|knots| knots.as_slice().to_vec());
+        lists.chain([vec![q(0, 1), q(3, 1)]]).collect()
+    })
+    .unwrap();
+    let merged = stack.diagonal(1, 2).unwrap();
+    assert_eq!(merged.degrees(), [2, 1]);
+    let at = [q(2, 3), q(7, 4)];
+    assert_eq!(merged.at(&at).unwrap(), spline.at(&at).unwrap());
+    assert_eq!(spline.diagonal(0, 0).unwrap_err().family(), "Shape");
+    assert_eq!(surface::<Q>().diagonal(0, 1).unwrap_err().family(), "Shape");
 }

@@ -1,9 +1,10 @@
 //! The primitive gestures: middle, pile, diagonal.
 
 use pforms_kernel::{Form, Rational};
-use pforms_operators as operators;
+use pforms_operators::{self as operators, Shape, Spline};
 
 use super::{FORM, Outcome, PLAIN, list_of_numbers};
+use crate::cost::workable_spline;
 use crate::operator::{Group, call};
 use crate::words::words;
 use crate::{Arithmetic, Bound, Operator, Parameter, Takes, Value};
@@ -135,7 +136,10 @@ fn stack<S: Arithmetic>(a: &Bound<S>) -> Outcome<S> {
 }
 
 fn diagonal<S: Arithmetic>(a: &Bound<S>) -> Outcome<S> {
-    let form = a.form(0)?;
+    let form = match a.shape(0)? {
+        Shape::Form(form) => form,
+        Shape::Spline(spline) => return spline_diagonal(a, workable_spline(spline)?),
+    };
     let merged: Form<S> = match a.all(1) {
         [] => operators::diagonal(&form, form.axes().wrapping_sub(2), form.axes().wrapping_sub(1))?,
         [Value::Text(text)] if words("all", "tout").matches(text) => {
@@ -150,6 +154,25 @@ fn diagonal<S: Arithmetic>(a: &Bound<S>) -> Outcome<S> {
         }
     };
     Ok(merged.into())
+}
+
+fn spline_diagonal<S: Arithmetic>(a: &Bound<S>, spline: Spline<S>) -> Outcome<S> {
+    let last = spline.axes().wrapping_sub(1);
+    Ok(match a.all(1) {
+        [] => spline.diagonal(last.wrapping_sub(1), last)?.into(),
+        [Value::Text(text)] if words("all", "tout").matches(text) => {
+            let mut merged = spline;
+            while merged.axes() > 1 {
+                merged = workable_spline(merged.diagonal(0, 1)?)?;
+            }
+            merged.into()
+        }
+        [first, second] => spline.diagonal(a.whole_of(1, first)?, a.whole_of(1, second)?)?.into(),
+        [first, ..] => {
+            let expected = words("two axes, or \"all\"", "deux axes, ou \"tout\"");
+            return Err(a.refused(1, first, expected));
+        }
+    })
 }
 
 fn partition<S: Arithmetic>(a: &Bound<S>) -> Outcome<S> {

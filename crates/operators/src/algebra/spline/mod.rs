@@ -2,6 +2,7 @@
 
 mod combine;
 mod derivative;
+mod diagonal;
 mod evaluate;
 mod knots;
 mod locate;
