@@ -1,10 +1,9 @@
 """Every operator as a method and as a function: what it promises, and the shapes it refuses."""
 
+import inspect
 import re
 from itertools import pairwise
 from math import comb
-
-import inspect
 
 import numpy as np
 import pytest
