@@ -42,7 +42,7 @@ def test_extrusions_add():
     assert LINE.extrude((0, 1)) == LINE.extrude(pf.Form([(0, 0), (0, 1)]))
     spline = KNOTTED.extrude((3, 4))
     assert isinstance(spline, pf.Spline)
-    np.testing.assert_allclose(spline(1, 0.3), KNOTTED(0.3) + (3, 4), **NEAR)
+    np.testing.assert_allclose(spline(1, 0.3), KNOTTED(0.3) + np.array([3, 4]), **NEAR)
 
 
 def test_ruled_forms_join():
