@@ -113,6 +113,11 @@ fn what_has_no_length() {
     assert_eq!(family(ArcLength::new(line.clone(), 1e-17)), "Accuracy");
     let hyperbola = plane(&[[1.0, 0.0], [1.0, 1.0], [0.0, 1.0]], Some(&[1.0, -2.0, 1.0]));
     assert_eq!(family(ArcLength::new(hyperbola, 1e-9)), "Domain");
+    // The weight is (1 − 2t)² and (1 − 2t)·(1 + t).
+    for weights in [[1.0, -1.0, 1.0], [1.0, 0.25, -2.0]] {
+        let gone = plane(&[[0.0, 0.0], [1.0, 1.0], [2.0, 0.0]], Some(&weights));
+        assert_eq!(family(ArcLength::new(gone, 1e-12)), "Domain");
+    }
     let infinite_end = plane(&[[0.0, 0.0], [1.0, 1.0]], Some(&[1.0, 0.0]));
     assert_eq!(family(ArcLength::new(infinite_end, 1e-9)), "Domain");
     let facet = Form::from_points(&[2, 2], 1, &[0.0; 4], None).unwrap();

@@ -221,6 +221,37 @@ fn a_spline_at_unit_speed() {
     }
 }
 
+/// A closed cubic through nine poles of a smooth but lively figure, as peers make them at random.
+fn lively(random: &mut Random) -> Spline {
+    let poles: Vec<f64> = (0..18).map(|_| random.unit() + random.unit() - 1.0).collect();
+    let poles = Form::from_points(&[9], 2, &poles, None).unwrap();
+    bspline(&poles, &[3], &[KnotRule::Uniform], &[true]).unwrap()
+}
+
+#[test]
+fn unit_speed_to_twelve_digits() {
+    let mut random = Random::new(12);
+    for _ in 0..3 {
+        let curve = lively(&mut random);
+        let even = by_arc_length(curve.clone(), 1e-12).unwrap();
+        assert!(even.error <= 1e-12);
+        assert_eq!(even.spline.window(0).unwrap().1, even.length);
+        let slopes = even.spline.derivative(&[1]).unwrap();
+        let knots = &even.spline.breaks()[0];
+        let size = curve.net().homogeneous().iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+        for pair in knots.windows(2).step_by(7) {
+            let step = pair[1] - pair[0];
+            // Poles of degree 15 and knots are rounded: that is felt in short pieces.
+            let rounding = 64.0 * f64::EPSILON * (size + even.length) / step;
+            for share in [0.1, 0.37, 0.6, 0.93] {
+                let slope = slopes.at(&[pair[0] + share * step]).unwrap();
+                let speed = slope[0].hypot(slope[1]);
+                assert!((speed - 1.0).abs() <= even.error + rounding, "{speed} {step}");
+            }
+        }
+    }
+}
+
 #[test]
 fn what_has_no_unit_speed() {
     let cusp = Form::from_points(&[4], 2, &[0., 0., 0., 0., 1., 0., 1., 1.], None).unwrap();

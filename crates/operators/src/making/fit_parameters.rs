@@ -117,7 +117,7 @@ impl Grid<'_> {
 
 /// The distance of two points.
 pub(crate) fn distance(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(x, y)| (x - y) * (x - y)).sum::<f64>().sqrt()
+    a.iter().zip(b).fold(0.0, |sum, (x, y)| libm::hypot(sum, x - y))
 }
 
 #[cfg(test)]
@@ -133,6 +133,16 @@ mod tests {
         let list = &Parameters::Centripetal.of_grid(&grid).unwrap()[0];
         assert!((list[1] - root / (root + 1.0)).abs() < 1e-15);
         assert_eq!(Parameters::Uniform.of_grid(&grid).unwrap(), [[0.0, 0.5, 1.0]]);
+    }
+
+    #[test]
+    fn sizes_do_not_matter() {
+        for size in [1e-200, 1e200, 1e-300, 1e307] {
+            let points = [0.0, 0.0, 3.0 * size, 4.0 * size, 3.0 * size, 5.0 * size];
+            let grid = Grid { points: &points, counts: &[3], ambient: 2 };
+            let list = &Parameters::Chord.of_grid(&grid).unwrap()[0];
+            assert!((list[1] - 5.0 / 6.0).abs() < 1e-15, "{size}");
+        }
     }
 
     #[test]

@@ -24,6 +24,7 @@ pub(crate) mod vector;
 mod volume_frame;
 
 pub use arc_length::ArcLength;
+pub(crate) use arc_length::Speed;
 pub use classify::{Conic, classify};
 pub use continuity::{Continuity, ContinuityOptions, FormEnd, continuity, joints};
 pub use curvature::{Curvature, curvature};
@@ -32,6 +33,7 @@ pub use developable::{Developability, gauss_form, is_developable};
 pub use normal_form::{binormal_form, normal_form};
 pub use normals::{normal_grid_into, normals_into};
 pub use project::{Projection, Projector, SplineProjector, project};
+pub(crate) use scale::{in_units, unit};
 pub use surface_frame::{SurfaceCurvature, SurfaceFrame, surface_frame};
 pub use tangent_form::tangent_form;
 pub use volume_frame::{VolumeFrame, volume_frame};

@@ -5,7 +5,7 @@ use pforms_kernel::{Form, Result};
 use crate::algebra::Spline;
 
 /// The power of two next below the largest coordinate of all poles; 1 if there is none.
-pub(super) fn unit<'a>(forms: impl IntoIterator<Item = &'a Form>) -> f64 {
+pub(crate) fn unit<'a>(forms: impl IntoIterator<Item = &'a Form>) -> f64 {
     let mut size = 0.0_f64;
     for form in forms {
         let width = form.width();
@@ -22,7 +22,7 @@ pub(super) fn unit<'a>(forms: impl IntoIterator<Item = &'a Form>) -> f64 {
 }
 
 /// The form with coordinates divided by a power of two.
-pub(super) fn in_units(form: &Form, unit: f64) -> Result<Form> {
+pub(crate) fn in_units(form: &Form, unit: f64) -> Result<Form> {
     let width = form.width();
     let mut poles = form.homogeneous().to_vec();
     for pole in poles.chunks_exact_mut(width) {

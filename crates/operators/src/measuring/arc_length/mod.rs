@@ -5,7 +5,7 @@ mod speed;
 
 use pforms_kernel::{Error, Form, Result};
 
-use self::speed::Speed;
+pub(crate) use self::speed::Speed;
 use super::scale::{in_units, unit};
 use crate::algebra::Shape;
 
@@ -80,7 +80,7 @@ impl ArcLength {
         let unit = unit(&pieces);
         let pieces =
             pieces.iter().map(|piece| in_units(piece, unit)).collect::<Result<Vec<_>>>()?;
-        let mut scale = 1.0;
+        let (mut scale, mut worst) = (1.0, None);
         for _ in 0..ATTEMPTS {
             let measured = Self::attempt(&pieces, accuracy, accuracy * scale)?;
             let (length, error) = measured.iter().fold((0.0, 0.0), |(length, error), stretch| {
@@ -97,8 +97,12 @@ impl ArcLength {
                 });
             }
             scale = 1e-3 * (length / error * accuracy).min(scale);
+            worst = measured.into_iter().max_by(|a, b| a.error.total_cmp(&b.error));
         }
-        Err(not_reached(accuracy))
+        Err(match worst {
+            Some(stretch) => given_up(&pieces[stretch.piece], stretch.from, accuracy)?,
+            None => not_reached(accuracy),
+        })
     }
 
     /// The length over the whole window.
@@ -123,7 +127,7 @@ impl ArcLength {
                 let Some((length, error, smooth)) = settled(&speed, accuracy, crumb, last)? else {
                     waiting.extend([(middle, to), (from, middle)]);
                     if stretches.len() + waiting.len() > MOST {
-                        return Err(not_reached(accuracy));
+                        return Err(given_up(form, from, accuracy)?);
                     }
                     continue;
                 };
@@ -159,11 +163,7 @@ fn settled(
         Some([chord, polygon]) if last || polygon <= SHARE * crumb / CUSPS => {
             Ok(Some((0.5 * (chord + polygon), 0.5 * (polygon - chord), false)))
         }
-        None if last => Err(Error::domain(
-            "curve",
-            "a curve that goes to infinity, where its weight vanishes",
-            "a curve of finite length",
-        )),
+        None if last => Err(infinite()),
         _ => Ok(None),
     }
 }
@@ -176,6 +176,23 @@ fn require_accuracy(accuracy: f64) -> Result<()> {
         return Err(not_reached(accuracy));
     }
     Ok(())
+}
+
+/// Why a piece could not be measured near `t`: a double zero of the weight looks like a cusp.
+fn given_up(piece: &Form, t: f64, accuracy: f64) -> Result<Error> {
+    /// The square of a parameter's rounding, and some.
+    const VANISHED: f64 = 1e-12;
+    let here = piece.homogeneous_at(&[t])?[piece.ambient()].abs();
+    let heaviest = piece.weights().iter().fold(0.0_f64, |most, w| most.max(w.abs()));
+    Ok(if here <= VANISHED * heaviest { infinite() } else { not_reached(accuracy) })
+}
+
+fn infinite() -> Error {
+    Error::domain(
+        "curve",
+        "a curve that goes to infinity, where its weight vanishes",
+        "a curve of finite length",
+    )
 }
 
 fn not_reached(accuracy: f64) -> Error {

@@ -22,7 +22,7 @@ const RADII: [f64; 9] = [4.0, 3.0, 2.5, 2.2, 2.0, 1.8, 1.65, 1.5, 1.35];
 
 /// The speed of a piece of curve over its own window `[0, 1]`.
 #[derive(Clone, Debug)]
-pub(super) struct Speed {
+pub(crate) struct Speed {
     /// `N = X'·W − X·W'` beside `W`, as a form: the speed is `|N|/W²`.
     quotient: Form,
     /// Distances from pole to pole, and from end to end, where all weights have one sign.
@@ -31,7 +31,7 @@ pub(super) struct Speed {
 
 impl Speed {
     /// The speed on the window `[from, to]` of a piece.
-    pub(super) fn of(piece: &Form, from: f64, to: f64) -> Result<Self> {
+    pub(crate) fn of(piece: &Form, from: f64, to: f64) -> Result<Self> {
         let local =
             if from == 0.0 && to == 1.0 { piece.clone() } else { stretch(piece, &[from], &[to])? };
         let local = seen_from_its_start(&local)?;
@@ -39,14 +39,14 @@ impl Speed {
     }
 
     /// The speed at a parameter.
-    pub(super) fn at(&self, t: f64) -> Result<f64> {
+    pub(crate) fn at(&self, t: f64) -> Result<f64> {
         let mut point = self.quotient.homogeneous_at(&[t])?;
         let weight = point.pop().unwrap_or(1.0);
         Ok(norm(&point) / (weight * weight))
     }
 
     /// The 16-point rule over `[from, to]`.
-    pub(super) fn integral(&self, from: f64, to: f64) -> Result<f64> {
+    pub(crate) fn integral(&self, from: f64, to: f64) -> Result<f64> {
         let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
         let mut sum = 0.0;
         for [node, weight] in GAUSS {
