@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from functools import wraps
-from typing import TYPE_CHECKING, Any, Concatenate, ParamSpec, Protocol, TypeVar, cast, overload
+from typing import TYPE_CHECKING, Any, Concatenate, ParamSpec, Protocol, TypeVar, overload
 
 from pforms._pforms import Form, Spline
 from pforms.errors import ArgumentError
@@ -12,7 +12,6 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
 _P = ParamSpec("_P")
-_Method = TypeVar("_Method", bound="Callable[..., Any]")
 _OfForm = TypeVar("_OfForm", covariant=True)
 _OfSpline = TypeVar("_OfSpline", covariant=True)
 
@@ -48,7 +47,9 @@ def either(
     return operator
 
 
-def of_forms(method: _Method) -> _Method:
+def of_forms(
+    method: Callable[Concatenate[Form, _P], _OfForm],
+) -> Callable[Concatenate[Form, _P], _OfForm]:
     """A method of forms as a function that says what it is given.
 
     >>> import pforms as pf
@@ -64,7 +65,7 @@ def of_forms(method: _Method) -> _Method:
         hint = ", such as one of its pieces" if isinstance(form, Spline) else ""
         raise _mistyped(form, "a pforms.Form" + hint)
 
-    return cast("_Method", operator)
+    return operator
 
 
 def _mistyped(received: object, expected: str) -> ArgumentError:
