@@ -211,7 +211,7 @@ impl Flat {
     }
 
     /// The polynomial through the nodes of every cell.
-    fn forms(&self) -> Result<Vec<Form>> {
+    pub(super) fn forms(&self) -> Result<Vec<Form>> {
         let form = |points: &Vec<[f64; 2]>| {
             let net = Form::from_points(&[ORDER, ORDER], 2, points.as_flattened(), None)?;
             interpolate(&net, &Nodes::Lobatto)
@@ -234,11 +234,31 @@ impl Flat {
         Ok(marked)
     }
 
-    /// The largest distortion at a grid of points in every cell.
-    pub(super) fn distortion(&self, chart: &Chart) -> Result<Distortion> {
+    /// The polynomial of every cell with as few poles as the accuracy allows, in places and slopes.
+    pub(super) fn lowered(&self, accuracy: f64) -> Result<Vec<Form>> {
+        let mut forms = self.forms()?;
+        for axis in 0..2 {
+            for order in 2..ORDER {
+                let low: Vec<Form> =
+                    forms.iter().map(|form| lowered(form, axis, order)).collect::<Result<_>>()?;
+                let mut all = true;
+                for (form, low) in forms.iter().zip(&low) {
+                    all &= fits(form, axis, order, accuracy)? && slopes_fit(form, low, accuracy)?;
+                }
+                if all {
+                    forms = low;
+                    break;
+                }
+            }
+        }
+        Ok(forms)
+    }
+
+    /// The largest distortion of these forms, one for each cell, at a grid of points in it.
+    pub(super) fn distortion(&self, chart: &Chart, forms: &[Form]) -> Result<Distortion> {
         let places: Vec<f64> = (0..PROBES).map(|i| i as f64 / (PROBES - 1) as f64).collect();
         let mut distortion = Distortion::default();
-        for (index, form) in self.forms()?.iter().enumerate() {
+        for (index, form) in forms.iter().enumerate() {
             let (i, j) = (index / self.counts[1], index % self.counts[1]);
             let cell = chart.cell(&chart.lists[0][i], &chart.lists[1][j])?;
             let probes = spots_at(&cell, &places, false)?;
@@ -251,33 +271,17 @@ impl Flat {
         }
         Ok(distortion)
     }
+}
 
-    /// All cells in one spline, with as few poles as the accuracy allows, the middle of the net moved
-    /// nowhere: the line begun from starts in the origin.
-    pub(super) fn spline(&self, chart: &Chart, accuracy: f64, unit: i32) -> Result<Spline> {
-        let mut forms = self.forms()?;
-        for axis in 0..2 {
-            for order in 2..ORDER {
-                let mut all = true;
-                for form in &forms {
-                    all &= fits(form, axis, order, accuracy)?;
-                }
-                if all {
-                    forms = forms
-                        .iter()
-                        .map(|form| lowered(form, axis, order))
-                        .collect::<Result<_>>()?;
-                    break;
-                }
-            }
-        }
-        let scaled = |form: &Form| {
-            let points: Vec<f64> = form.points()?.iter().map(|x| shifted(*x, unit)).collect();
-            Form::from_points(form.orders(), 2, &points, None)
-        };
-        let forms = forms.iter().map(scaled).collect::<Result<Vec<_>>>()?;
-        Ok(joined(&forms, &[chart.ends(0), chart.ends(1)])?.0)
-    }
+/// All cells in one spline, the middle of the net moved nowhere: the line begun from starts in the
+/// origin.
+pub(super) fn in_one(forms: &[Form], chart: &Chart, unit: i32) -> Result<Spline> {
+    let scaled = |form: &Form| {
+        let points: Vec<f64> = form.points()?.iter().map(|x| shifted(*x, unit)).collect();
+        Form::from_points(form.orders(), 2, &points, None)
+    };
+    let forms = forms.iter().map(scaled).collect::<Result<Vec<_>>>()?;
+    Ok(joined(&forms, &[chart.ends(0), chart.ends(1)])?.0)
 }
 
 /// Points along each axis of a cell at which distortion is measured.
@@ -291,6 +295,21 @@ fn fits(form: &Form, axis: usize, order: usize, accuracy: f64) -> Result<bool> {
     let (u, v) = (fine(0)?, fine(1)?);
     let (one, other) = (low.grid(&[&u, &v])?, form.grid(&[&u, &v])?);
     Ok(one.iter().zip(&other).all(|(x, y)| (x - y).abs() <= accuracy))
+}
+
+/// Do the derivatives differ by no more than the accuracy, as a share of the largest of them?
+fn slopes_fit(form: &Form, low: &Form, accuracy: f64) -> Result<bool> {
+    let fine = Nodes::<f64>::Lobatto.on_axis(0, 2 * ORDER)?;
+    for orders in [[1, 0], [0, 1]] {
+        let [here, there] = [form, low]
+            .map(|form| derivative(form, &orders).and_then(|slope| slope.grid(&[&fine, &fine])));
+        let (here, there) = (here?, there?);
+        let size = here.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+        if here.iter().zip(&there).any(|(x, y)| (x - y).abs() > accuracy * size) {
+            return Ok(false);
+        }
+    }
+    Ok(true)
 }
 
 /// The polynomial of a lower order that meets the form at Lobatto's nodes.

@@ -16,7 +16,7 @@ use pforms_kernel::{Error, Result};
 
 use crate::Spline;
 use crate::measuring::about_one::unit_of;
-use chart::{Base, Chart};
+use chart::{Base, Chart, in_one};
 pub use distortion::Distortion;
 
 /// A surface laid out in the plane.
@@ -24,7 +24,7 @@ pub use distortion::Distortion;
 pub struct Unrolling {
     /// The surface in the plane, with the same parameters; the normal was towards the reader.
     pub spline: Spline,
-    /// What unrolling did to the surface, where it did most.
+    /// What this spline does to the surface, where it does most.
     pub distortion: Distortion,
 }
 
@@ -34,7 +34,7 @@ pub struct Unrolling {
 /// lengths, angles and areas, to about `accuracy` and rounding; others are stretched, and the
 /// distortion says how much. Of six lines to begin from, the sides and middles of the window, that
 /// which distorts least is taken; it begins in the origin, along the coordinate of its own axis.
-/// `accuracy` is that of the polynomials of the result, in sizes of the surface.
+/// `accuracy` is that of the polynomials of the result, in sizes of the surface, and of their slopes.
 ///
 /// Errors: `Shape` unless it is a surface in dimension 2 or 3; `Degenerate` when it has no normals or
 /// every line to begin from is collapsed; `Domain` when the accuracy is not positive, and where the
@@ -70,8 +70,9 @@ pub fn unroll(surface: impl Into<Spline>, accuracy: f64) -> Result<Unrolling> {
         let flat = chart.laid_out(base)?;
         let coarse = flat.unresolved(accuracy)?;
         if coarse.iter().flatten().all(|coarse| !coarse) {
-            let distortion = flat.distortion(&chart)?;
-            return Ok(Unrolling { spline: flat.spline(&chart, accuracy, unit)?, distortion });
+            let forms = flat.lowered(accuracy)?;
+            let distortion = flat.distortion(&chart, &forms)?;
+            return Ok(Unrolling { spline: in_one(&forms, &chart, unit)?, distortion });
         }
         chart.halve(&coarse)?;
     }
@@ -82,7 +83,7 @@ fn best_base(chart: &Chart) -> Result<Base> {
     let mut best: Option<(Base, f64)> = None;
     let mut failure = None;
     for base in chart.bases() {
-        match chart.laid_out(base).and_then(|flat| flat.distortion(chart)) {
+        match chart.laid_out(base).and_then(|flat| flat.distortion(chart, &flat.forms()?)) {
             Ok(distortion) => {
                 let total = distortion.length + distortion.angle;
                 // A little worse is no reason: rounding must not choose.
