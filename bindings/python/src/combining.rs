@@ -59,7 +59,7 @@ pub(crate) fn combine<'py>(
 ) -> PyResult<Object<'py>> {
     let k = reals("k", k, 1)?;
     let pointwise = pointwise.map_or(Ok(false), |given| truth("pointwise", given))?;
-    summed(k, &shapes::several("forms", forms)?, pointwise, forms.py())
+    summed(&k, &shapes::several("forms", forms)?, pointwise, forms.py())
 }
 
 /// The form symmetric to another with respect to a third: ``2*middle - form``.
@@ -92,11 +92,11 @@ pub(crate) fn symmetric<'py>(
 ) -> PyResult<Object<'py>> {
     let pointwise = pointwise.map_or(Ok(false), |given| truth("pointwise", given))?;
     let pair = [shapes::read("middle", middle)?, shapes::read("form", form)?];
-    summed(vec![2.0, -1.0], &pair, pointwise, form.py())
+    summed(&[2.0, -1.0], &pair, pointwise, form.py())
 }
 
 fn summed<'py>(
-    k: Vec<f64>,
+    k: &[f64],
     list: &[Shape],
     pointwise: bool,
     py: Python<'py>,
@@ -105,7 +105,7 @@ fn summed<'py>(
     let nets: Vec<_> = list.iter().map(Poles::net).collect();
     let cost = if pointwise { operators::pointwise_work(&nets) } else { size as f64 };
     require_feasible("the combination", cost)?;
-    let sum = done(py, cost as usize, || operators::combine_shapes(&k, list, pointwise))?;
+    let sum = done(py, cost as usize, || operators::combine_shapes(k, list, pointwise))?;
     shapes::object(py, sum)
 }
 

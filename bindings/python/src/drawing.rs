@@ -52,7 +52,7 @@ pub(crate) fn scene_of<S: Arithmetic>(
         match sheet.value(at) {
             Value::Empty => {}
             Value::Error(failure) => return Err(failure.to_error()),
-            value => scene.add(&at.to_string(), Shapes::in_value(value)?, look.style(own)?)?,
+            value => scene.add(&at.to_string(), &Shapes::in_value(value)?, look.style(own)?)?,
         }
     }
     if scene.items.is_empty() {
@@ -92,7 +92,7 @@ pub(crate) fn _draw_forms<'py>(
     picture(look, |look| {
         let none = Settings::new();
         let mut scene = Scene { camera: look.camera(&none)?, ..Scene::default() };
-        scene.add("form", Shapes::of_all(list), look.style(&none)?)?;
+        scene.add("form", &Shapes::of_all(list), look.style(&none)?)?;
         Ok(scene)
     })
 }

@@ -197,6 +197,10 @@ pub(crate) fn lists(argument: &str, object: &Bound<'_, PyAny>) -> PyResult<Vec<V
         || object.is_instance_of::<PyTuple>()
         || object.is_instance_of::<PyUntypedArray>();
     if outer && object.get_item(0).is_ok_and(|first| first.len().is_ok()) {
+        // The rows of an array may be one and the same in memory: copies of them are not.
+        if object.is_instance_of::<PyUntypedArray>() {
+            Numbers::read(argument, object)?;
+        }
         return object.try_iter()?.map(|list| one_list(argument, &list?)).collect();
     }
     one_list(argument, object).map(|list| vec![list])

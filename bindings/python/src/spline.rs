@@ -344,7 +344,7 @@ impl PySpline {
     fn __hash__(&self) -> u64 {
         let mut hasher = DefaultHasher::new();
         self.spline.net().orders().hash(&mut hasher);
-        let knots = self.spline.knots().iter().flat_map(|knots| knots.as_slice());
+        let knots = self.spline.knots().iter().flat_map(pforms_operators::Knots::as_slice);
         for x in self.spline.net().homogeneous().iter().chain(knots) {
             // −0 equals 0, so they hash alike.
             (x + 0.0).to_bits().hash(&mut hasher);

@@ -51,7 +51,7 @@ fn scene_of(sheet: &Sheet, camera: &Settings) -> Result<Scene> {
     let mut scene = Scene { camera, ..Scene::default() };
     for (at, settings) in sheet.document().shown() {
         if let Ok(shapes) = Shapes::in_value(sheet.value(at)) {
-            scene.add(&at.to_string(), shapes, Style::from_settings(settings)?)?;
+            scene.add(&at.to_string(), &shapes, Style::from_settings(settings)?)?;
         }
     }
     Ok(scene)

@@ -14,7 +14,7 @@ use serde_json::Value;
 fn sphere_scene() -> Scene {
     let mut scene = Scene::default();
     let style = Style { tolerance: Some(1e-3), ..Style::default() };
-    scene.add("ball", Shapes::of(whole_sphere()), style).unwrap();
+    scene.add("ball", &Shapes::of(whole_sphere()), style).unwrap();
     scene
 }
 
@@ -144,7 +144,7 @@ fn an_obj_names_its_groups_and_counts_from_one() {
 fn coordinates_beyond_single_precision_are_refused() {
     let far = pforms_kernel::Form::from_points(&[2], 1, &[0.0, 1e39], None).unwrap();
     let mut scene = Scene::default();
-    scene.add("far", Shapes::of(vec![far]), Style::default()).unwrap();
+    scene.add("far", &Shapes::of(vec![far]), Style::default()).unwrap();
     for format in [Format::Glb, Format::Stl] {
         assert_eq!(write_scene(format, &scene).unwrap_err().family(), "Domain");
     }
@@ -153,7 +153,7 @@ fn coordinates_beyond_single_precision_are_refused() {
 #[test]
 fn the_teapot_goes_into_every_drawing() {
     let mut scene = Scene::default();
-    scene.add("teapot", Shapes::of(teapot()), Style::default()).unwrap();
+    scene.add("teapot", &Shapes::of(teapot()), Style::default()).unwrap();
     for format in FORMATS {
         if format.holds_forms() {
             assert_eq!(write_scene(format, &scene).unwrap_err().family(), "Format");

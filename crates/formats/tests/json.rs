@@ -158,7 +158,7 @@ proptest! {
         let form = Form::from_homogeneous(&[2, 3], 1, numbers).unwrap();
         let back = json::read::<f64>(&json::write(&[form.clone().into()])).unwrap();
         let bits = |form: &Form| form.homogeneous().iter().map(|x| x.to_bits()).collect::<Vec<_>>();
-        prop_assert_eq!(bits(&back[0].net()), bits(&form));
+        prop_assert_eq!(bits(back[0].net()), bits(&form));
     }
 
     #[test]

@@ -52,14 +52,14 @@ fn every_part_renders_from_every_view() {
 #[test]
 fn the_teapot_stays_made_of_patches() {
     let mut scene = Scene::default();
-    scene.add("teapot", Shapes::of(teapot()), Style::default()).unwrap();
+    scene.add("teapot", &Shapes::of(teapot()), Style::default()).unwrap();
     let text = String::from_utf8(pov::write(&scene).unwrap()).unwrap();
     let counts = ["bicubic_patch", "mesh2"].map(|object| text.matches(object).count());
     assert_eq!(counts, [28, 4], "the bottom collapses in the middle");
     render("teapot", &scene);
     let flat = Style { shading: pforms_scene::Shading::Flat, ..Style::default() };
     let mut scene = Scene::default();
-    scene.add("teapot", Shapes::of(teapot()), flat).unwrap();
+    scene.add("teapot", &Shapes::of(teapot()), flat).unwrap();
     assert!(String::from_utf8(pov::write(&scene).unwrap()).unwrap().contains("mesh2"));
     render("teapot_flat", &scene);
 }
@@ -68,10 +68,8 @@ fn the_teapot_stays_made_of_patches() {
 fn clear_things_and_odd_names_render() {
     let mut scene = Scene { axes: true, ..Scene::default() };
     let shapes = Shapes::of(vec![octant([1.0; 3])]);
-    scene
-        .add("a\nb */ c", shapes.clone(), style(&[Mode::Surface, Mode::Net], "#336699", 0.4))
-        .unwrap();
-    scene.add("sphere { }", shapes, style(&[Mode::Points, Mode::Fibres], "#993366", 0.4)).unwrap();
+    scene.add("a\nb */ c", &shapes, style(&[Mode::Surface, Mode::Net], "#336699", 0.4)).unwrap();
+    scene.add("sphere { }", &shapes, style(&[Mode::Points, Mode::Fibres], "#993366", 0.4)).unwrap();
     render("clear", &scene);
 }
 
@@ -86,7 +84,7 @@ fn the_smallest_and_the_emptiest_render() {
         let facet = pforms_kernel::Form::from_points(&[2, 2], 3, &corners, None).unwrap();
         let mut look = style(&[Mode::Surface, Mode::Net], "#aa5500", 0.7);
         look.radius = 0.05 * size;
-        scene.add("facet", Shapes::of(vec![facet]), look).unwrap();
+        scene.add("facet", &Shapes::of(vec![facet]), look).unwrap();
         render(&format!("size{exponent}"), &scene);
     }
 }

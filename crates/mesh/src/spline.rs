@@ -25,7 +25,7 @@ pub fn chain(spline: &Spline, sampling: &Sampling) -> Result<Curve> {
         for mut line in part.polylines {
             line.parameters.iter_mut().for_each(|t| *t = global(t));
             match whole.polylines.last_mut() {
-                Some(before) if before.meets(&line) => before.go_on(line),
+                Some(before) if before.meets(&line) => before.go_on(&line),
                 _ => whole.polylines.push(line),
             }
         }
@@ -72,7 +72,7 @@ impl Polyline {
     }
 
     /// The next line from here; where the two meet at an angle the tangent is the mean.
-    fn go_on(&mut self, next: Self) {
+    fn go_on(&mut self, next: &Self) {
         if let (Some(here), Some(there)) = (self.tangents.last_mut(), next.tangents.first()) {
             *here = unit(add(*here, *there)).unwrap_or(*here);
         }

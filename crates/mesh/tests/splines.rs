@@ -21,7 +21,7 @@ fn torus() -> Spline {
         }
     }
     let net = Form::from_points(&[rows + degree, columns + degree], 3, &points, None).unwrap();
-    let knots = |n: usize| (0..n + 2 * degree + 1).map(|k| k as f64).collect();
+    let knots = |n: usize| (0..=n + 2 * degree).map(|k| k as f64).collect();
     Spline::new(net, &[degree, degree], vec![knots(rows), knots(columns)]).unwrap()
 }
 

@@ -32,8 +32,8 @@ impl Scene {
     /// Draws some forms and adds them under a name.
     ///
     /// Errors: those of [`draw`].
-    pub fn add(&mut self, name: &str, shapes: Shapes, style: Style) -> Result<()> {
-        let parts = draw(&shapes, &style)?;
+    pub fn add(&mut self, name: &str, shapes: &Shapes, style: Style) -> Result<()> {
+        let parts = draw(shapes, &style)?;
         let forms = shapes.pieces()?;
         self.items.push(Item { name: name.to_owned(), style, forms, parts });
         Ok(())

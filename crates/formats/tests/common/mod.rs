@@ -31,7 +31,7 @@ pub fn mixed_scene() -> Scene {
     let curve = Form::from_points(&[4], 3, &arc, None).unwrap();
     let mut scene = Scene { axes: true, ..Scene::default() };
     let mut add = |name: &str, form: &Form, style: Style| {
-        scene.add(name, Shapes::of(vec![form.clone()]), style).unwrap();
+        scene.add(name, &Shapes::of(vec![form.clone()]), style).unwrap();
     };
     add("cube", &cube, style(&[Mode::Envelope], "#ffff00", 0.5));
     add("bundle", &cube, style(&[Mode::Fibres], "#3d5a80", 0.5));

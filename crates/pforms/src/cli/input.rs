@@ -81,7 +81,7 @@ impl Input {
         let mut scene = Scene { camera, ..Scene::default() };
         for Subject { name, shapes, style: own } in self.subjects(asked)? {
             let drawn = Style::from_settings(&over(own, style))
-                .and_then(|style| scene.add(&name, shapes, style));
+                .and_then(|style| scene.add(&name, &shapes, style));
             drawn.map_err(|error| self.named(&at_cell(&name, &error)))?;
         }
         Ok(scene)
