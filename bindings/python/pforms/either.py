@@ -44,7 +44,7 @@ def either(
             return of_spline(form, *args, **kwargs)
         raise _mistyped(form, "a pforms.Form or a pforms.Spline")
 
-    return operator
+    return _of_the_package(operator)
 
 
 def of_forms(
@@ -65,6 +65,16 @@ def of_forms(
         hint = ", such as one of its pieces" if isinstance(form, Spline) else ""
         raise _mistyped(form, "a pforms.Form" + hint)
 
+    return _of_the_package(operator)
+
+
+_Function = TypeVar("_Function")
+
+
+def _of_the_package(operator: _Function) -> _Function:
+    """The function under the name it is found by, so that other processes find it."""
+    named: Any = operator
+    named.__module__, named.__qualname__ = "pforms", named.__name__
     return operator
 
 
