@@ -6,6 +6,7 @@ mod geomdl;
 mod gismo;
 mod iges;
 mod immersed;
+mod inverted;
 mod json;
 mod laws;
 mod lengths;

@@ -2,9 +2,6 @@
 
 use super::{Each, Equations, MOST_UNKNOWNS};
 
-/// How far the window is looked at beyond its border, so that solutions on it are not lost.
-pub(super) const BORDER: f64 = 1.0 / (1_u64 << 46) as f64;
-
 /// A box of parameters, and the equations in Bernstein form over it.
 #[derive(Clone, Debug)]
 pub(super) struct Cell {
@@ -19,7 +16,7 @@ pub(super) struct Cell {
 
 impl Cell {
     /// The window and a little more.
-    pub(super) fn whole(equations: &Equations) -> Self {
+    pub(super) fn whole(equations: &Equations, border: f64) -> Self {
         let axes = equations.axes();
         let mut orders = [1; MOST_UNKNOWNS];
         orders[..axes].copy_from_slice(equations.orders());
@@ -32,7 +29,7 @@ impl Cell {
             orders,
         };
         for axis in 0..axes {
-            cell.restrict(axis, -BORDER, 1.0 + BORDER);
+            cell.restrict(axis, -border, 1.0 + border);
         }
         cell
     }
@@ -124,6 +121,14 @@ pub(super) fn range(values: &[f64]) -> (f64, f64) {
 /// De Casteljau: the part from 0 to `t`.
 fn keep_left(block: &mut [f64], order: usize, inner: usize, t: f64) {
     let s = 1.0 - t;
+    if inner == 1 {
+        for r in 1..order {
+            for i in (r..order).rev() {
+                block[i] = s * block[i - 1] + t * block[i];
+            }
+        }
+        return;
+    }
     for r in 1..order {
         for i in (r..order).rev() {
             let (low, high) = block[(i - 1) * inner..(i + 1) * inner].split_at_mut(inner);
@@ -137,6 +142,14 @@ fn keep_left(block: &mut [f64], order: usize, inner: usize, t: f64) {
 /// De Casteljau: the part from `t` to 1.
 fn keep_right(block: &mut [f64], order: usize, inner: usize, t: f64) {
     let s = 1.0 - t;
+    if inner == 1 {
+        for r in 1..order {
+            for i in 0..order - r {
+                block[i] = s * block[i] + t * block[i + 1];
+            }
+        }
+        return;
+    }
     for r in 1..order {
         for i in 0..order - r {
             let (low, high) = block[i * inner..(i + 2) * inner].split_at_mut(inner);

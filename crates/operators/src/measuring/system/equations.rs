@@ -78,22 +78,24 @@ impl Equations {
         let ambient = a.ambient();
         let orders = [a.orders(), b.orders()].concat();
         limit::check::<f64>("the equations", &orders, ambient)?;
+        let poles = |form: &'_ Form| {
+            form.homogeneous().chunks_exact(ambient + 1).map(<[f64]>::to_vec).collect::<Vec<_>>()
+        };
+        let (first, second) = (poles(a), poles(b));
         let difference = |k: usize| {
-            let mut size = 0.0_f64;
-            let coefficients = a
-                .homogeneous()
-                .chunks_exact(ambient + 1)
-                .flat_map(|p| {
-                    b.homogeneous()
-                        .chunks_exact(ambient + 1)
-                        .map(move |q| (p[k] * q[ambient], q[k] * p[ambient]))
-                })
-                .map(|(left, right)| {
-                    size = size.max(left.abs() + right.abs());
-                    left - right
-                })
-                .collect();
-            Polynomial { orders: orders.clone(), coefficients, noise: f64::EPSILON * size }
+            let mut noise = 0.0_f64;
+            let mut coefficients = Vec::with_capacity(first.len() * second.len());
+            for p in &first {
+                for q in &second {
+                    let (left, right) = (p[k] * q[ambient], q[k] * p[ambient]);
+                    // A product with 1 is exact.
+                    let of_products = if q[ambient] == 1.0 { 0.0 } else { left.abs() }
+                        + if p[ambient] == 1.0 { 0.0 } else { right.abs() };
+                    coefficients.push(left - right);
+                    noise = noise.max(of_products + (left - right).abs());
+                }
+            }
+            Polynomial { orders: orders.clone(), coefficients, noise: 0.5 * f64::EPSILON * noise }
         };
         Self::new((0..ambient).map(difference).collect())
     }

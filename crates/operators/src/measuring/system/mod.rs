@@ -31,6 +31,9 @@ pub(crate) const MOST_UNKNOWNS: usize = 4;
 /// One number for each unknown; those beyond are 0.
 pub(crate) type Each = [f64; MOST_UNKNOWNS];
 
+/// So far the window is looked at beyond its border, so that solutions on it are not lost.
+pub(crate) const BORDER: f64 = 1.0 / (1_u64 << 46) as f64;
+
 /// When to stop.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Limits {
@@ -40,11 +43,13 @@ pub(crate) struct Limits {
     pub coarsest: f64,
     /// Cells looked at, at most.
     pub most: usize,
+    /// Solutions outside the window by no more than this are put on its border.
+    pub border: f64,
 }
 
 impl Default for Limits {
     fn default() -> Self {
-        Self { finest: 1e-12, coarsest: 1.0 / 32.0, most: 1 << 14 }
+        Self { finest: 1e-12, coarsest: 1.0 / 32.0, most: 1 << 14, border: BORDER }
     }
 }
 
@@ -111,7 +116,7 @@ pub(crate) fn solve(equations: &Equations, limits: &Limits) -> Solutions {
     let mut undecided = Vec::new();
     let mut scratch = Scratch::new(equations);
     // In the order of cutting: where the work ends, all that is left is about as small.
-    let mut queue = VecDeque::from([Cell::whole(equations)]);
+    let mut queue = VecDeque::from([Cell::whole(equations, limits.border)]);
     while let Some(cell) = queue.pop_front() {
         if found.work >= limits.most {
             undecided.push((cell.bounds(), true));
@@ -172,7 +177,7 @@ impl Scratch {
             let ratios: Vec<f64> = within[..equations.axes()].iter().map(|(a, b)| b - a).collect();
             let most = ratios.iter().fold(0.0_f64, |most, x| most.max(*x));
             if most < 1.0 && combined.contraction() < CONTRACTS {
-                match newton::prove(equations, &cell, combined) {
+                match newton::prove(equations, &cell, combined, limits.border) {
                     newton::Proof::Root(root) => return Verdict::Root(root),
                     newton::Proof::None => return Verdict::Nothing,
                     newton::Proof::Open => {}

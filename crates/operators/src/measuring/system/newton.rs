@@ -1,6 +1,6 @@
 //! The one solution that a cell can hold: found, and proved.
 
-use super::cell::{BORDER, Cell};
+use super::cell::Cell;
 use super::combined::{Combined, MARGIN, largest_step};
 use super::linear::left_inverse;
 use super::{Each, Equations, MOST_UNKNOWNS, Root};
@@ -25,7 +25,7 @@ const NARROWEST: f64 = 1e-11;
 ///
 /// By Banach's theorem a map that contracts by `q` on a ball around `r` of radius
 /// `|G(r)| / (1 − q)` has its fixed point in there.
-pub(super) fn prove(equations: &Equations, cell: &Cell, combined: &Combined) -> Proof {
+pub(super) fn prove(equations: &Equations, cell: &Cell, combined: &Combined, border: f64) -> Proof {
     let axes = equations.axes();
     if (0..axes).any(|axis| cell.side(axis) < NARROWEST) {
         return Proof::Open;
@@ -63,15 +63,15 @@ pub(super) fn prove(equations: &Equations, cell: &Cell, combined: &Combined) -> 
     if (0..axes).any(|k| outside(k) > slack(k)) {
         return Proof::None;
     }
-    finished(equations, cell, &at, radius)
+    finished(equations, cell, &at, radius, border)
 }
 
 /// The root, if it is in the window and all equations vanish there.
-fn finished(equations: &Equations, cell: &Cell, at: &Each, radius: f64) -> Proof {
+fn finished(equations: &Equations, cell: &Cell, at: &Each, radius: f64, border: f64) -> Proof {
     let axes = equations.axes();
     let widest = cell.width() * radius;
     let beyond = |t: &f64| (-t).max(t - 1.0);
-    if at[..axes].iter().any(|t| beyond(t) > BORDER + widest) {
+    if at[..axes].iter().any(|t| beyond(t) > border + widest) {
         return Proof::None;
     }
     let mut inside = *at;
