@@ -10,9 +10,11 @@ from numpy.typing import ArrayLike, NDArray
 from pforms.records import (
     Bicubic,
     Continuity,
+    Crossings,
     Developability,
     Fit,
     Frame,
+    Intersection,
     Joined,
     Length,
     Mesh,
@@ -85,6 +87,8 @@ __all__ = [
     "insert_knots",
     "interpolate",
     "interpolating_spline",
+    "intersect",
+    "intersect_many",
     "is_developable",
     "join_forms",
     "line",
@@ -194,6 +198,9 @@ class Form:
     @overload
     def curvature(self, u: ArrayLike, v: ArrayLike, /) -> Frame: ...
     def project(self, points: ArrayLike, *, accuracy: float = 1e-12) -> Projection: ...
+    def intersect(
+        self, other: Form | Spline | ArrayLike, *, accuracy: float = 1e-14
+    ) -> Intersection: ...
     @overload
     def parallel(
         self,
@@ -473,6 +480,9 @@ class Spline:
     @overload
     def curvature(self, u: ArrayLike, v: ArrayLike, /) -> Frame: ...
     def project(self, points: ArrayLike, *, accuracy: float = 1e-12) -> Projection: ...
+    def intersect(
+        self, other: Form | Spline | ArrayLike, *, accuracy: float = 1e-14
+    ) -> Intersection: ...
     def piece(self, *index: int) -> Form: ...
     def bezier(self) -> Spline: ...
     def remove_knot(self, axis: int, t: _Number) -> tuple[Spline, float]: ...
@@ -1190,6 +1200,15 @@ def interpolating_spline(
     tangents: ArrayLike | None = None,
     circle: bool = False,
 ) -> Spline: ...
+def intersect(
+    first: Form | Spline | ArrayLike, second: Form | Spline | ArrayLike, *, accuracy: float = 1e-14
+) -> Intersection: ...
+def intersect_many(
+    first: Form | Sequence[Form] | ArrayLike,
+    second: Form | Sequence[Form] | ArrayLike,
+    *,
+    accuracy: float = 1e-14,
+) -> Crossings: ...
 def insert_knots(spline: _Shape, knots: _PerAxis, *, axis: int = 0) -> Spline: ...
 @overload
 def remove_knots(

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, NamedTuple
 if TYPE_CHECKING:
     from collections.abc import Iterator, KeysView
 
-    from numpy import bool_, float64, int32
+    from numpy import bool_, float64, int32, int64, uint8
     from numpy.typing import NDArray
 
     from pforms._pforms import Form, Spline
@@ -237,6 +237,111 @@ class Projection(NamedTuple):
     """By how much any other point of the form may be nearer, at most: proved."""
     unique: NDArray[bool_]
     """Is it proved that only these parameters give the nearest point?"""
+
+
+class Intersection(NamedTuple):
+    """Where two forms meet, and whether that is all.
+
+    >>> import pforms as pf
+    >>> found = pf.intersect([(0, 0), (2, 2)], [(0, 2), (2, 0)])
+    >>> found.points, found.kinds, found.complete
+    (array([[1., 1.]]), ('crossing',), True)
+    """
+
+    first: NDArray[float64]
+    """Parameters in the first form: shape (k, axes)."""
+    second: NDArray[float64]
+    """Parameters in the second form: shape (k, axes)."""
+    points: NDArray[float64]
+    """The points: shape (k, c)."""
+    kinds: tuple[str, ...]
+    """For each ``crossing``, ``tangent`` or ``touch``."""
+    orders: NDArray[int64]
+    """How many crossings fall together: 1 for a crossing; 0 where that is not known."""
+    gaps: NDArray[float64]
+    """The distances of the forms there; 0 where they are proved to meet."""
+    errors: NDArray[float64]
+    """By how much a parameter may be off, at most."""
+    proved: NDArray[bool_]
+    """Is it proved that they meet there, and once?"""
+    overlaps: tuple[Overlap, ...]
+    """Arcs in common."""
+    curves: tuple[Branch, ...]
+    """Curves in which two surfaces meet."""
+    complete: bool
+    """Is that surely all?"""
+    undecided: tuple[tuple[NDArray[float64], NDArray[float64]], ...]
+    """Boxes of parameters of both forms, lower and upper corners, that may hold more."""
+
+
+class Overlap(NamedTuple):
+    """A part that two forms share.
+
+    >>> import pforms as pf
+    >>> found = pf.intersect([(0, 0), (4, 0)], [(3, 0), (-1, 0)])
+    >>> overlap, = found.overlaps
+    >>> overlap.first[:, 0], overlap.second[:, 0]
+    (array([0.  , 0.75]), array([0.75, 0.  ]))
+    """
+
+    first: NDArray[float64]
+    """From and to in the parameters of the first form: shape (2, axes)."""
+    second: NDArray[float64]
+    """The same points in the parameters of the second form."""
+    gap: float
+    """How far the forms are apart along it, at most."""
+    proved: bool
+    """Is it proved that they are the same?"""
+
+
+class Branch(NamedTuple):
+    """A curve in which two surfaces meet.
+
+    >>> import pforms as pf
+    >>> pf.Branch._fields
+    ('first', 'second', 'curve', 'error', 'closed', 'tangent')
+    """
+
+    first: Spline
+    """In the parameters of the first surface."""
+    second: Spline
+    """In the parameters of the second surface."""
+    curve: Spline
+    """In space."""
+    error: float
+    """How far it may be from either surface, at most."""
+    closed: bool
+    """Does it end where it begins?"""
+    tangent: bool
+    """Do the surfaces touch along it?"""
+
+
+class Crossings(NamedTuple):
+    """Where the forms of many pairs meet.
+
+    >>> import pforms as pf
+    >>> found = pf.intersect_many([[(0, 0), (1, 1)]], [[(0, 1), (1, 0)]])
+    >>> found.pairs()
+    [array([[0.5, 0.5]])]
+    """
+
+    parameters: NDArray[float64]
+    """In the first form, then in the second: shape (k, axes of both)."""
+    starts: NDArray[int64]
+    """Those of pair i are ``starts[i]`` to ``starts[i + 1]``."""
+    kinds: NDArray[uint8]
+    """0 for a crossing, 1 for a tangent, 2 for a touch."""
+    errors: NDArray[float64]
+    """By how much a parameter may be off, at most."""
+    complete: NDArray[bool_]
+    """For each pair: is that surely all?"""
+    whole: dict[int, Intersection]
+    """The whole answer for pairs that share more than points."""
+
+    def pairs(self) -> list[NDArray[float64]]:
+        """For each pair its parameters, shape (k, axes of both)."""
+        ends = self.starts.tolist()
+        return [self.parameters[i:j] for i, j in zip(ends[:-1], ends[1:], strict=True)]
 
 
 class Unrolling(NamedTuple):

@@ -19,6 +19,7 @@ mod gestures;
 mod grids;
 mod immersed;
 mod inside;
+mod intersecting;
 mod joining;
 mod lengths;
 mod making;
@@ -70,6 +71,8 @@ mod _pforms {
     use crate::immersed::{PyImmersed, forecast, immerse};
     #[pymodule_export]
     use crate::inside::{immerse_points, polyline, segment, tile};
+    #[pymodule_export]
+    use crate::intersecting::{intersect, intersect_many};
     #[pymodule_export]
     use crate::joining::{continuity, insert_knots, join_forms, remove_knots};
     #[pymodule_export]

@@ -13,6 +13,7 @@ mod framing;
 mod gestures;
 mod immersing;
 mod interpolating;
+mod intersecting;
 mod joining;
 mod knotting;
 mod lengths;
@@ -61,6 +62,7 @@ pub(crate) fn all() -> Vec<Operator> {
         offsetting::ENTRIES,
         piping::ENTRIES,
         projecting::ENTRIES,
+        intersecting::ENTRIES,
         transforming::ENTRIES,
         turning::ENTRIES,
         mirroring::ENTRIES,

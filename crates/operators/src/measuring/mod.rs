@@ -9,6 +9,7 @@ mod curvature;
 mod curve_frame;
 mod developable;
 pub(crate) mod guarded;
+mod intersect;
 mod invert;
 mod local;
 mod normal_form;
@@ -35,6 +36,10 @@ pub use continuity::{Continuity, ContinuityOptions, FormEnd, continuity, joints}
 pub use curvature::{Curvature, curvature};
 pub use curve_frame::{CurveFrame, FrameKind, curve_frame, curve_frames};
 pub use developable::{Developability, gauss_form, is_developable};
+pub use intersect::{
+    Branch, Contact, ContactKind, Crossings, Intersections, Overlap, Undecided, intersect,
+    intersect_many,
+};
 pub use invert::{Doubt, Inversion, Inverter, Preimage, invert};
 pub use normal_form::{binormal_form, normal_form};
 pub use normals::{normal_grid_into, normals_into};
