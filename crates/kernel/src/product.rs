@@ -78,6 +78,11 @@ impl<S: Scalar> Scaled<S> {
         &self.coefficients
     }
 
+    /// The same, to be changed.
+    pub fn coefficients_mut(&mut self) -> &mut [S] {
+        &mut self.coefficients
+    }
+
     /// Component `k` alone.
     #[must_use]
     pub fn component(&self, k: usize) -> Self {

@@ -13,8 +13,10 @@ mod random;
 mod reference;
 mod root2;
 mod shapes;
+mod truth;
 
 pub use random::{ROUNDS, Random, Weights, exact_forms, relative_error};
 pub use reference::{Case, cases, net, numbers};
 pub use root2::Root2;
 pub use shapes::{octant, whole_sphere};
+pub use truth::{Truth, truth, truths};
