@@ -39,6 +39,7 @@ mod rational;
 mod scalar;
 mod sparse;
 pub mod threads;
+mod traced;
 mod vector_rows;
 pub mod vectors;
 
@@ -56,3 +57,4 @@ pub use product::Scaled;
 pub use rational::Rational;
 pub use scalar::Scalar;
 pub use sparse::Sparse;
+pub use traced::{Traced, derivatives, gradient};
