@@ -49,6 +49,21 @@ impl<S: Arithmetic> Arguments<S> {
         self.named.push((name.into(), value));
     }
 
+    /// The same arguments over another scalar; `None` when one has no value there.
+    pub(crate) fn map<T: Arithmetic>(
+        &self,
+        convert: impl Fn(&Value<S>) -> Option<Value<T>>,
+    ) -> Option<Arguments<T>> {
+        let positional = self.positional.iter().map(|Positional { value, range }| {
+            Some(Positional { value: convert(value)?, range: *range })
+        });
+        let named = self.named.iter().map(|(name, value)| Some((name.clone(), convert(value)?)));
+        Some(Arguments {
+            positional: positional.collect::<Option<_>>()?,
+            named: named.collect::<Option<_>>()?,
+        })
+    }
+
     pub(crate) fn first_failure(&self) -> Option<&Failure> {
         let positional = self.positional.iter().map(|argument| &argument.value);
         positional.chain(self.named.iter().map(|(_, value)| value)).find_map(first_failure)

@@ -3,9 +3,9 @@
 use pforms_kernel::{Error, Rational, Scalar};
 
 use crate::operator::{Call, Routine};
-use crate::{Elementary, Failure};
+use crate::{Arguments, Elementary, Failure, Operator, Value};
 
-/// A scalar that a sheet can compute with: `f64` or `Rational`.
+/// A scalar that a sheet can compute with: `f64`, `Rational`, or `Traced` for derivatives.
 pub trait Arithmetic: Scalar {
     /// Reads a decimal literal such as `0.1` or `1e-3`; exactly, if numbers are exact.
     ///
@@ -45,6 +45,13 @@ pub trait Arithmetic: Scalar {
     /// The number as a small whole number, if it is one.
     fn whole(&self) -> Option<i64>;
 
+    /// The number as an `f64`, for work that is done in these alone.
+    ///
+    /// Errors: `Domain` where that would lose what the number carries.
+    fn plain(&self) -> Result<f64, Failure> {
+        Ok(self.to_f64())
+    }
+
     /// The simple fraction that this number stands for.
     ///
     /// `0.1` in `f64` becomes `1/10` in exact mode and the quotient `1.0/3.0` becomes `1/3`, not the
@@ -68,6 +75,10 @@ pub trait Arithmetic: Scalar {
 
     #[doc(hidden)]
     fn routine(call: &Call) -> Option<Routine<Self>>;
+
+    /// What an operator without a routine for these numbers answers.
+    #[doc(hidden)]
+    fn without_routine(operator: &'static Operator, arguments: &Arguments<Self>) -> Value<Self>;
 }
 
 impl Arithmetic for f64 {
@@ -135,6 +146,10 @@ impl Arithmetic for f64 {
     fn routine(call: &Call) -> Option<Routine<Self>> {
         Some(call.floating)
     }
+
+    fn without_routine(_: &'static Operator, _: &Arguments<Self>) -> Value<Self> {
+        Value::Empty
+    }
 }
 
 /// The first convergent of the continued fraction of `x` that is `x` once rounded.
@@ -171,6 +186,11 @@ pub(crate) fn no_power<S: Arithmetic>(base: &S, exponent: &S) -> Failure {
     let received = format!("{} ^ {}", base.write(), exponent.write());
     let french = format!("puissance : reçu {received}, attendu une puissance qui existe");
     Failure::of(Error::domain("power", received, "a power that exists"), french)
+}
+
+/// Passes if work in `f64` alone loses nothing that the numbers carry, see [`Arithmetic::plain`].
+pub(crate) fn require_plain<S: Arithmetic>(numbers: &[S]) -> Result<(), Failure> {
+    numbers.iter().try_for_each(|x| x.plain().map(drop))
 }
 
 /// `a / b`.

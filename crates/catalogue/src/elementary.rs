@@ -1,6 +1,6 @@
 //! The elementary functions, the same to the bit on every platform.
 
-use std::f64::consts::{LN_2, PI};
+use std::f64::consts::{LN_2, LN_10, PI};
 
 use pforms_kernel::Error;
 
@@ -51,6 +51,24 @@ impl Elementary {
             Self::Log10 => libm::log10(x),
             Self::Radians => x / 180.0 * PI,
             Self::Degrees => x / PI * 180.0,
+        }
+    }
+
+    /// The derivative.
+    pub(crate) fn slope(self, x: f64) -> f64 {
+        match self {
+            Self::Sqrt => 0.5 / libm::sqrt(x),
+            Self::Sin => libm::cos(x),
+            Self::Cos => -libm::sin(x),
+            Self::Tan => 1.0 + libm::tan(x).powi(2),
+            Self::Asin => 1.0 / libm::sqrt((1.0 - x) * (1.0 + x)),
+            Self::Acos => -1.0 / libm::sqrt((1.0 - x) * (1.0 + x)),
+            Self::Atan => 1.0 / (1.0 + x * x),
+            Self::Exp => libm::exp(x),
+            Self::Ln => 1.0 / x,
+            Self::Log10 => 1.0 / (x * LN_10),
+            Self::Radians => PI / 180.0,
+            Self::Degrees => 180.0 / PI,
         }
     }
 

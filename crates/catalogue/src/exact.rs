@@ -7,7 +7,7 @@ use pforms_kernel::{Error, Rational, Scalar};
 use crate::arithmetic::{no_power, not_a_number};
 use crate::elementary::use_floating_mode;
 use crate::operator::{Call, Routine};
-use crate::{Arithmetic, Elementary, Failure};
+use crate::{Arguments, Arithmetic, Elementary, Failure, Operator, Value};
 
 /// Digits of numerator and denominator together, in bits, before a number is refused.
 pub const BITS_CAP: u64 = 1 << 16;
@@ -107,6 +107,12 @@ impl Arithmetic for Rational {
 
     fn routine(call: &Call) -> Option<Routine<Self>> {
         call.exact
+    }
+
+    fn without_routine(_: &'static Operator, _: &Arguments<Self>) -> Value<Self> {
+        let error = Error::domain("mode", "exact mode", "floating mode");
+        let french = "mode : reçu mode exact, attendu mode flottant";
+        use_floating_mode(Failure::of(error, french)).into()
     }
 }
 

@@ -25,6 +25,7 @@ mod json;
 mod net;
 mod operator;
 mod parameter;
+mod traced;
 mod value;
 mod words;
 
@@ -40,5 +41,6 @@ pub use infix::{Infix, binary, negate};
 pub use operator::{Call, Routine};
 pub use operator::{Group, Operator};
 pub use parameter::{Fallback, Parameter, Range, Takes};
+pub use traced::{numbers, sources, traced};
 pub use value::{DEPTH_CAP, LIST_CAP, Value};
 pub use words::{Language, Message, Words, fold};

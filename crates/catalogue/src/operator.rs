@@ -1,30 +1,35 @@
 //! One entry of the catalogue: everything that is known about an operator.
 
-use pforms_kernel::{Error, Rational};
+use pforms_kernel::{Rational, Traced};
 use serde::{Serialize, Serializer};
 
-use crate::elementary::use_floating_mode;
 use crate::{Arguments, Arithmetic, Bound, Failure, Language, Parameter, Takes, Value, Words};
 
 /// What computes a call: bound arguments in, a value out.
 #[doc(hidden)]
 pub type Routine<S> = fn(&Bound<S>) -> Result<Value<S>, Failure>;
 
-/// The routine for each mode; an operator that needs roots has none in exact mode.
+/// The routine for each mode; an operator that needs roots has none in exact mode, one that searches
+/// or approximates none for derivatives.
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug)]
 pub struct Call {
     pub(crate) floating: Routine<f64>,
     pub(crate) exact: Option<Routine<Rational>>,
+    pub(crate) traced: Option<Routine<Traced>>,
 }
 
 /// A [`Call`] of one routine in both modes, or in floating mode alone.
 macro_rules! call {
     ($routine:ident) => {
-        crate::operator::Call { floating: $routine::<f64>, exact: Some($routine::<Rational>) }
+        crate::operator::Call {
+            floating: $routine::<f64>,
+            exact: Some($routine::<Rational>),
+            traced: Some($routine::<pforms_kernel::Traced>),
+        }
     };
     (floating $routine:expr) => {
-        crate::operator::Call { floating: $routine, exact: None }
+        crate::operator::Call { floating: $routine, exact: None, traced: None }
     };
 }
 pub(crate) use call;
@@ -158,22 +163,17 @@ impl Operator {
         {
             return failure.clone().into();
         }
-        let result = match S::routine(&self.call) {
-            None => Err(not_exact()),
+        let value: Value<S> = match S::routine(&self.call) {
+            None => S::without_routine(self, &arguments),
             Some(routine) => {
-                arguments.bind(self).and_then(|bound| routine(&bound)).and_then(checked)
+                arguments.bind(self).and_then(|bound| routine(&bound)).and_then(checked).into()
             }
         };
-        match result {
-            Ok(value) => value,
-            Err(failure) => failure.within(self).into(),
+        match value {
+            Value::Error(failure) => failure.within(self).into(),
+            value => value,
         }
     }
-}
-
-fn not_exact() -> Failure {
-    let error = Error::domain("mode", "exact mode", "floating mode");
-    use_floating_mode(Failure::of(error, "mode : reçu mode exact, attendu mode flottant"))
 }
 
 /// No number that is not finite, and none of thousands of digits, leaves an operator.

@@ -27,7 +27,8 @@ fn forwards_backwards_and_dual_numbers_agree() {
         let results = computed(&traced);
         let matrix = derivatives(&results, 6).unwrap().dense().unwrap();
         for moved in 0..6 {
-            let dual = |(i, x): (usize, &f64)| Dual { value: *x, slope: f64::from(u8::from(i == moved)) };
+            let dual =
+                |(i, x): (usize, &f64)| Dual { value: *x, slope: f64::from(u8::from(i == moved)) };
             let duals: Vec<Dual> = values.iter().enumerate().map(dual).collect();
             for (row, result) in computed(&duals).iter().enumerate() {
                 assert_eq!(results[row].value(), result.value);

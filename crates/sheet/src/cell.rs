@@ -1,7 +1,7 @@
 //! What the sheet knows of one cell: its text as understood, its value, and what that cost.
 
 use pforms_catalogue::{Arithmetic, Failure, Value};
-use pforms_formula::{Content, References, references};
+use pforms_formula::{Address, Content, Range, References, Tree, references};
 use serde::Serialize;
 
 use crate::Document;
@@ -50,24 +50,41 @@ impl<S: Arithmetic> Cell<S> {
         Self { content, value: Value::Empty, cost: Cost::default() }
     }
 
+    /// A cell of which only the value counts.
+    pub(crate) fn computed(value: Value<S>) -> Self {
+        Self { content: Content::Empty, value, cost: Cost::default() }
+    }
+
     /// What the cell depends on, names looked up.
     pub(crate) fn mentions(&self, document: &Document) -> Mentions {
         let Content::Formula(tree) = &self.content else { return Mentions::default() };
-        let References { cells, ranges, names } = references(tree);
+        let Mentioned { cells, ranges, names } = Mentioned::by(tree, document);
         let mut mentions = Mentions { cells: cells.into_iter().collect(), ..Mentions::default() };
         for range in &ranges {
             mentions.add_range(range);
         }
-        for name in names {
-            match document.target(&name) {
-                Some(Target::Cell(at)) => {
-                    mentions.cells.insert(at);
-                }
-                Some(Target::Cells(range)) => mentions.add_range(&range),
+        mentions.names.extend(names.iter().map(|name| folded(name)));
+        mentions
+    }
+}
+
+/// The cells and ranges a tree mentions, by address or by name.
+pub(crate) struct Mentioned {
+    pub(crate) cells: Vec<Address>,
+    pub(crate) ranges: Vec<Range>,
+    names: Vec<String>,
+}
+
+impl Mentioned {
+    pub(crate) fn by(tree: &Tree, document: &Document) -> Self {
+        let References { mut cells, mut ranges, names } = references(tree);
+        for name in &names {
+            match document.target(name) {
+                Some(Target::Cell(at)) => cells.push(at),
+                Some(Target::Cells(range)) => ranges.push(range),
                 None => {}
             }
-            mentions.names.insert(folded(&name));
         }
-        mentions
+        Self { cells, ranges, names }
     }
 }

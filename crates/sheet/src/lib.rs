@@ -43,6 +43,7 @@ pub use cell::{Cost, Info};
 pub use document::{Document, Settings};
 pub use edit::Edit;
 pub use editing::Clip;
+pub use evaluate::Sensitivities;
 pub use history::{Entry, Snapshot, Step};
 pub use name::{Target, check_name};
 pub use pforms_formula::{Address, Range};

@@ -66,6 +66,7 @@ impl<S: Arithmetic> Sheet<S> {
         let around = Surroundings {
             document: &self.document,
             cells: &self.cells,
+            graph: &self.graph,
             cancel,
             interrupted: Flag::new(false),
         };

@@ -159,7 +159,8 @@ impl<S: Arithmetic> Sheet<S> {
 
     pub(crate) fn around<'a>(&'a self, cancel: &'a Cancel) -> Surroundings<'a, S> {
         let interrupted = std::cell::Cell::new(false);
-        Surroundings { document: &self.document, cells: &self.cells, cancel, interrupted }
+        let Self { document, cells, graph, .. } = self;
+        Surroundings { document, cells, graph, cancel, interrupted }
     }
 
     /// Takes note of edits that were made to the document.

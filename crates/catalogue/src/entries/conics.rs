@@ -289,7 +289,7 @@ fn ellipse<S: Arithmetic>(a: &Bound<S>) -> Outcome<S> {
 fn hyperbola<S: Arithmetic>(bound: &Bound<S>) -> Outcome<S> {
     let [a, b, height] = [bound.number(0)?, bound.number(1)?, bound.number(2)?];
     if !S::EXACT {
-        let arc = operators::hyperbola(a.to_f64(), b.to_f64(), height.to_f64())?;
+        let arc = operators::hyperbola(a.plain()?, b.plain()?, height.plain()?)?;
         return in_scalar(&arc.into()).map(Into::into);
     }
     if b.is_zero() {

@@ -5,6 +5,7 @@ use pforms_operators as operators;
 use pforms_operators::{Immersed, Shape, Spline};
 
 use super::{Outcome, PLAIN, list_of_forms, list_of_numbers};
+use crate::arithmetic::require_plain;
 use crate::cost::require_immersible;
 use crate::operator::{Group, call};
 use crate::parameter::Fallback;
@@ -217,6 +218,9 @@ fn immerse_spline<S: Arithmetic>(a: &Bound<S>, inner: &Shape<S>, host: &Shape<S>
     let pieces = inside.counts().iter().product::<usize>();
     let knots = outside.counts().iter().sum::<usize>();
     require_immersible(&first(&inside)?, &first(&outside)?, pieces.saturating_mul(knots))?;
+    if knots > outside.axes() {
+        require_plain(inside.net().homogeneous())?;
+    }
     Ok(operators::immerse_spline(inner, host)?.into())
 }
 

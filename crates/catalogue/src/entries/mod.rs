@@ -6,6 +6,7 @@
 mod combining;
 mod conditions;
 mod conics;
+mod differentiating;
 mod evaluating;
 mod explaining;
 mod forms;
@@ -63,6 +64,7 @@ pub(crate) fn all() -> Vec<Operator> {
         piping::ENTRIES,
         projecting::ENTRIES,
         intersecting::ENTRIES,
+        differentiating::ENTRIES,
         transforming::ENTRIES,
         turning::ENTRIES,
         mirroring::ENTRIES,

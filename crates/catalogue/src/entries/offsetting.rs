@@ -7,6 +7,7 @@ use pforms_operators::{
 };
 
 use super::{FORM, Outcome, PLAIN, list_of_numbers, part};
+use crate::arithmetic::require_plain;
 use crate::cost::multipliable;
 use crate::operator::{Group, call};
 use crate::parameter::Fallback;
@@ -305,8 +306,10 @@ fn tangent_developable<S: Arithmetic>(a: &Bound<S>) -> Outcome<S> {
 }
 
 fn is_developable<S: Arithmetic>(a: &Bound<S>) -> Outcome<S> {
+    let surface = spline(a.shape(0)?)?;
+    require_plain(surface.net().homogeneous())?;
     let Developability { developable, exact, gauss, parameters } =
-        operators::is_developable(spline(a.shape(0)?)?)?;
+        operators::is_developable(surface)?;
     let read = |x: f64| S::from_f64(x).unwrap_or_else(S::zero);
     Ok(match a.choice(1)? {
         "exact" => Value::Boolean(exact),

@@ -118,7 +118,7 @@ fn turn<S: Arithmetic>(angle: &S, order: usize) -> Result<Shape<S>, Failure> {
         let french = "angle : reçu un angle en mode exact, attendu aucun : un tour complet";
         return Err(use_floating_mode(Failure::of(error, french)));
     }
-    in_scalar(&operators::arc(1.0, angle.to_f64(), order, 0.0)?)
+    in_scalar(&operators::arc(1.0, angle.plain()?, order, 0.0)?)
 }
 
 /// The axis of the arguments; its direction is scaled before it is squared.

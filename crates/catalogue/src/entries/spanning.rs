@@ -1,6 +1,6 @@
 //! Forms spanned by their borders, and by networks of curves.
 
-use pforms_kernel::Rational;
+use pforms_kernel::{Rational, Traced};
 use pforms_operators as operators;
 use pforms_operators::{CoonsOptions, Network, Poles, Shape, Spline};
 
@@ -143,7 +143,11 @@ const GORDON: Operator = Operator {
               [0, 1], [0, 1])",
     source: "book 332; Gordon 1971; The NURBS Book, 10.5",
     see: &["coons", "stack"],
-    call: Call { floating: network, exact: Some(given::<Rational>) },
+    call: Call {
+        floating: network,
+        exact: Some(given::<Rational>),
+        traced: Some(given::<Traced>),
+    },
     ..COMBINATION
 };
 

@@ -6,6 +6,7 @@ use pforms_operators::{self as operators, Parameters, SplineEnds};
 use super::Outcome;
 use super::interpolating::lists_of;
 use super::splining::{SPLINES, per_axis};
+use crate::arithmetic::require_plain;
 use crate::elementary::use_floating_mode;
 use crate::operator::call;
 use crate::parameter::Fallback;
@@ -171,6 +172,7 @@ fn parameters<S: Arithmetic>(
         let expected = words("\"uniform\" or a list in exact mode", "\"uniforme\" ou une liste");
         return Err(use_floating_mode(a.refused(4, &a.value(4), expected)));
     }
+    require_plain(points.homogeneous())?;
     let number = |t: &f64| S::from_f64(*t).unwrap_or_else(S::zero);
     Ok(lists.iter().map(|list| list.iter().map(number).collect()).collect())
 }

@@ -157,7 +157,7 @@ fn degrees<S: Arithmetic>(angle: &S) -> Result<Turn<S>, Failure> {
         Some(count) => Ok(Turn::quarters(count)),
         None if S::EXACT => Err(Elementary::Cos.irrational(&format!("{}°", angle.write()))),
         None => {
-            let turn = Turn::degrees(angle.to_f64())?;
+            let turn = Turn::degrees(angle.plain()?)?;
             let [cosine, sine] =
                 [turn.cosine(), turn.sine()].map(|x| S::from_f64(*x).unwrap_or_else(S::zero));
             Ok(Turn::of(cosine, sine)?)

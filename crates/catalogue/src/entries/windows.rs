@@ -4,6 +4,7 @@ use pforms_kernel::{Form, Rational};
 use pforms_operators::{self as operators, Poles, Shape};
 
 use super::{AXIS, FORM, Outcome, PLAIN, T, list_of_forms, of_either, part};
+use crate::arithmetic::require_plain;
 use crate::cost::{workable, workable_at, workable_shape, workable_spline};
 use crate::operator::{Group, call};
 use crate::parameter::Fallback;
@@ -309,6 +310,7 @@ fn reduce<S: Arithmetic>(a: &Bound<S>) -> Outcome<S> {
     if wanted == "form" {
         return Ok(reduction.form.into());
     }
+    require_plain(form.homogeneous())?;
     let bound = S::from_f64(reduction.bound).unwrap_or_else(S::zero);
     Ok(Value::Number(bound))
 }

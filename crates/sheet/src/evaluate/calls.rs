@@ -1,6 +1,6 @@
 //! Calls of operators. All they take is computed first, but for the branch that IF does not take.
 
-use pforms_catalogue::{Arguments, Arithmetic, Operator, Value, find, unknown};
+use pforms_catalogue::{Arguments, Arithmetic, Value, find, unknown};
 use pforms_formula::{Argument, Call, Expression, NodeId, Range};
 
 use super::Evaluator;
@@ -12,15 +12,20 @@ impl<S: Arithmetic> Evaluator<'_, S> {
             let name: String = call.name.chars().take(40).collect();
             return unknown(&name).into();
         };
-        match self.branch(operator, call) {
+        let special = match operator.name {
+            "if" => self.branch(call),
+            "sensitivities" => self.sensitivities(call),
+            _ => None,
+        };
+        match special {
             Some(value) => value,
             None => operator.call(self.arguments(&call.arguments)),
         }
     }
 
     /// The branch that a sound IF takes; anything else about IF is left to the catalogue.
-    fn branch(&self, operator: &Operator, call: &Call) -> Option<Value<S>> {
-        let conditional = operator.name == "if" && call.keywords().next().is_none();
+    fn branch(&self, call: &Call) -> Option<Value<S>> {
+        let conditional = call.keywords().next().is_none();
         let branches: Vec<NodeId> = call.positional().collect();
         match (conditional, branches.as_slice()) {
             (true, [condition, yes, rest @ ..]) if rest.len() == 1 => {

@@ -4,6 +4,7 @@
 //! so the recursion here is short.
 
 mod calls;
+mod derivatives;
 mod references;
 
 use std::cell::Cell as Flag;
@@ -14,12 +15,16 @@ use pforms_formula::{Address, Content, Expression, Link, Node, NodeId, Operator,
 use pforms_kernel::{Error, Place};
 
 use crate::cell::Cell;
+use crate::graph::Graph;
 use crate::{Cancel, Document};
+
+pub use derivatives::Sensitivities;
 
 /// What evaluation reads: the cells computed so far, and what names stand for.
 pub(crate) struct Surroundings<'a, S> {
     pub(crate) document: &'a Document,
     pub(crate) cells: &'a BTreeMap<Address, Cell<S>>,
+    pub(crate) graph: &'a Graph,
     pub(crate) cancel: &'a Cancel,
     /// Set when evaluation was cancelled half-way: its value is worth nothing.
     pub(crate) interrupted: Flag<bool>,

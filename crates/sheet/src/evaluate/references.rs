@@ -43,7 +43,7 @@ impl<S: Arithmetic> Surroundings<'_, S> {
     }
 
     /// The cells of a range that have a value, row by row.
-    fn filled(&self, range: &Range) -> Vec<(Address, &Value<S>)> {
+    pub(super) fn filled(&self, range: &Range) -> Vec<(Address, &Value<S>)> {
         let (first_column, last_column) = range.columns();
         let (first_row, last_row) = range.rows();
         let column = |column| {
