@@ -131,6 +131,8 @@ from pforms.records import (
     UnitSpeed,
     Unrolling,
 )
+from pforms.sensitivity import sensitivities
+from pforms.sparse import Sparse
 
 binormal_form = either(Form.binormal_form, Spline.binormal_form)
 blossom = of_forms(Form.blossom)
@@ -190,6 +192,7 @@ __all__ = [
     "ShapeError",
     "Sheet",
     "Simplified",
+    "Sparse",
     "Spline",
     "UnitSpeed",
     "Unrolling",
@@ -273,6 +276,7 @@ __all__ = [
     "save",
     "scale",
     "segment",
+    "sensitivities",
     "set_cap",
     "set_threads",
     "shear",

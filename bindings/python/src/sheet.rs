@@ -2,13 +2,16 @@
 
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
+use numpy::PyArray1;
 use pforms_catalogue::Value;
-use pforms_kernel::{Error, Rational, Result};
+use pforms_kernel::{Error, Rational, Result, Sparse};
 use pforms_scene::Scene;
-use pforms_sheet::{Address, Document, Sheet, Target, pfs};
+use pforms_sheet::{Address, Document, Sensitivities, Sheet, Target, pfs};
+use pyo3::intern;
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict, PyList, PyString, PyType};
 
+use crate::arrays::Numbers;
 use crate::drawing::{picture, scene_of};
 use crate::errors::{done, mistyped, raised};
 use crate::form::PyForm;
@@ -241,6 +244,59 @@ impl PySheet {
         })
     }
 
+    /// How a formula follows a cell: the exact derivatives of all its numbers, as a sparse matrix.
+    ///
+    /// ``result`` is a formula without its ``=``, an address or a name; ``source`` an address, a range
+    /// or a name. The numbers of a form are the coordinates and the weight of each pole, in the order
+    /// of the poles. Returns a :class:`Sparse` with a row for each number of the result and a column
+    /// for each of the source.
+    ///
+    /// Raises ShapeError for values that hold no numbers; DomainError when an operator in between
+    /// measures or approximates, for a derivative that is infinite, and for a sheet in exact mode.
+    ///
+    /// >>> sheet = pf.Sheet()
+    /// >>> sheet["A1"], sheet["A2"] = 3, "=A1^2"
+    /// >>> sheet.sensitivities("2*A2", "A1").toarray()
+    /// array([[12.]])
+    fn sensitivities<'py>(
+        &self,
+        py: Python<'py>,
+        result: &str,
+        source: &str,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let matrix = done(py, usize::MAX, || self.traced(result, source)?.matrix())?;
+        sparse(py, &matrix)
+    }
+
+    /// The derivatives of a weighted sum of the numbers of a formula in all numbers of a cell.
+    ///
+    /// One sweep back from the result to the source, whatever the size of the source. ``weights``
+    /// has a number for each number of the result; without, all count once. Otherwise as
+    /// :meth:`sensitivities`.
+    ///
+    /// >>> sheet = pf.Sheet()
+    /// >>> sheet["A1"], sheet["A2"] = 3, "=[A1^2, 5*A1]"
+    /// >>> sheet.gradient("A2", "A1", [1, 10])
+    /// array([56.])
+    #[pyo3(signature = (result, source, weights=None))]
+    fn gradient<'py>(
+        &self,
+        py: Python<'py>,
+        result: &str,
+        source: &str,
+        weights: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let weights =
+            weights.map(|weights| PyResult::Ok(Numbers::read("weights", weights)?.into_values()));
+        let weights: Option<Vec<f64>> = weights.transpose()?;
+        let gradient = done(py, usize::MAX, || {
+            let found = self.traced(result, source)?;
+            let weights = weights.unwrap_or_else(|| vec![1.0; found.results()]);
+            found.gradient(&weights)
+        })?;
+        Ok(PyArray1::from_vec(py, gradient).into_any())
+    }
+
     fn __getitem__<'py>(&self, place: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
         let (py, place) = (place.py(), read_place(place)?);
         let cells = self.locked(py);
@@ -318,6 +374,11 @@ impl PySheet {
         done(py, usize::MAX, || Ok(Self { cells: Mutex::new(Cells::of(read()?, exact)) }))
     }
 
+    fn traced(&self, result: &str, source: &str) -> Result<Sensitivities> {
+        let found = either!(&*self.lock(), sheet => sheet.sensitivities(result, source));
+        found.map_err(|failure| failure.to_error())
+    }
+
     /// The cells; Python's lock is given away while another thread has them.
     fn locked(&self, py: Python<'_>) -> MutexGuard<'_, Cells> {
         use pyo3::sync::MutexExt;
@@ -344,6 +405,20 @@ fn value_at<'py, S: Shown>(
 ) -> PyResult<Bound<'py, PyAny>> {
     let value: Value<S> = sheet.get(place).map_err(|error| raised(&error))?;
     shown(py, value)
+}
+
+/// A `pforms.sparse.Sparse`.
+pub(crate) fn sparse<'py>(py: Python<'py>, matrix: &Sparse) -> PyResult<Bound<'py, PyAny>> {
+    let whole = |numbers: &[usize]| {
+        PyArray1::from_iter(py, numbers.iter().map(|number| *number as i64)).into_any()
+    };
+    let fields = (
+        PyArray1::from_slice(py, matrix.entries()).into_any(),
+        whole(matrix.places()),
+        whole(matrix.starts()),
+        (matrix.rows(), matrix.columns()),
+    );
+    py.import(intern!(py, "pforms.sparse"))?.getattr(intern!(py, "Sparse"))?.call1(fields)
 }
 
 fn read_place(place: &Bound<'_, PyAny>) -> PyResult<String> {

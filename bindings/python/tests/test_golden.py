@@ -142,6 +142,16 @@ def fewer_knots(f, *more):
     return pf.remove_knots(pf.insert_knots(f, inserted), *knots).net
 
 
+def differentiated(result, source, *cells):
+    """The derivatives as a formula lists them: of one number no list is made."""
+    sheet = pf.Sheet()
+    for row, cell in enumerate(cells, 1):
+        sheet[f"A{row}"] = cell
+    matrix = sheet.sensitivities(result, source).toarray()
+    rows = [row[0] if row.size == 1 else row for row in matrix]
+    return rows[0] if len(rows) == 1 else rows
+
+
 # How the arguments of a golden case are handed over: `f` a form, then what the operator takes.
 CALLS = {
     "affine_matrix": pf.affine_matrix,
@@ -224,6 +234,7 @@ CALLS = {
     "reparametrise": lambda f, axis, c: f.reparametrise(axis, c),
     "reverse": lambda f, axis: f.reverse(axis),
     "segment": lambda host, a, b: pf.segment(host, a.poles, b.poles),
+    "sensitivities": differentiated,
     "split": lambda f, axis, t: f.split(axis, t),
     "stack": pf.stack,
     "stretch": lambda f, a, b: f.stretch(a, b),
@@ -255,7 +266,8 @@ CALLS = {
 
 
 # An error in a sheet, where no point at all is no form; in NumPy an empty array is an answer.
-OTHERWISE = {"grid-004"}
+# In Python the source is a text, so that what is no place is misspelt, not of the wrong kind.
+OTHERWISE = {"grid-004", "sensitivities-007"}
 
 
 def cases(folder, names):

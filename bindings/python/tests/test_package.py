@@ -27,6 +27,8 @@ def test_names_are_there_once_and_in_order():
         "errors",
         "files",
         "records",
+        "sensitivity",
+        "sparse",
     }
     assert public <= set(pf.__all__)
     assert pf.__version__.count(".") == 2

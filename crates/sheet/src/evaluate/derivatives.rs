@@ -24,6 +24,11 @@ pub struct Sensitivities {
 }
 
 impl Sensitivities {
+    /// How many numbers the result has.
+    pub fn results(&self) -> usize {
+        self.results.len()
+    }
+
     /// The derivatives: a row for each number of the result, a column for each of the sources.
     ///
     /// Errors: `Domain` for a derivative that is not finite.
