@@ -8,6 +8,7 @@ mod continuity;
 mod curvature;
 mod curve_frame;
 mod developable;
+mod feet;
 pub(crate) mod guarded;
 mod integral;
 mod intersect;
@@ -41,6 +42,7 @@ pub use continuity::{Continuity, ContinuityOptions, FormEnd, continuity, joints}
 pub use curvature::{Curvature, curvature};
 pub use curve_frame::{CurveFrame, FrameKind, curve_frame, curve_frames};
 pub use developable::{Developability, gauss_form, is_developable};
+pub use feet::{Feet, Foot, FootKind, project_all};
 pub use intersect::{
     Branch, Contact, ContactKind, Crossings, Intersections, Overlap, Undecided, intersect,
     intersect_many,

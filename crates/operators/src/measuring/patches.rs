@@ -72,6 +72,30 @@ impl Patch {
     }
 }
 
+/// Does the whole end where it begins along an axis: are the poles of both ends the same?
+///
+/// `counts` are the pieces along each axis; it is enough that poles agree to a rounding or two.
+pub(super) fn is_closed(patches: &[Patch], counts: &[usize], axis: usize) -> bool {
+    let stride: usize = counts[axis + 1..].iter().product();
+    let across = stride * counts[axis];
+    (0..patches.len()).filter(|number| number / stride % counts[axis] == 0).all(|first| {
+        let last = first + across - stride;
+        let (low, high) =
+            (end(&patches[first].form, axis, false), end(&patches[last].form, axis, true));
+        let size = low.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+        low.iter().zip(&high).all(|(x, y)| (x - y).abs() <= 16.0 * f64::EPSILON * size)
+    })
+}
+
+/// The poles at one end of an axis.
+fn end(form: &Form, axis: usize, far: bool) -> Vec<f64> {
+    let inner = form.orders()[axis + 1..].iter().product::<usize>() * form.width();
+    let order = form.orders()[axis];
+    let skip = if far { order - 1 } else { 0 };
+    let blocks = form.homogeneous().chunks_exact(order * inner);
+    blocks.flat_map(|block| &block[skip * inner..][..inner]).copied().collect()
+}
+
 /// The diagonal of the box of all finite poles.
 pub(super) fn size(patches: &[Patch]) -> f64 {
     let Some(first) = patches.first() else { return 0.0 };

@@ -5,7 +5,7 @@ use pforms_kernel::{Error, Form, Result};
 use crate::split;
 
 /// What is known of the weights over the window, and the box of the form.
-pub(super) struct Weights {
+pub(in crate::measuring) struct Weights {
     /// The sign of all of them.
     pub sign: f64,
     /// A positive lower bound of their absolute values.
@@ -26,7 +26,7 @@ const PARTS: usize = 1 << 12;
 ///
 /// Errors: `Domain` where the weight vanishes or changes sign, or comes so near to it that no proof
 /// is found; when a pole overflows.
-pub(super) fn positive_weights(form: &Form) -> Result<Weights> {
+pub(in crate::measuring) fn positive_weights(form: &Form) -> Result<Weights> {
     let ambient = form.ambient();
     let sign = form.homogeneous()[ambient].signum();
     let mut found = Weights {

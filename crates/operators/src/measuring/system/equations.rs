@@ -178,6 +178,42 @@ impl Equations {
         self.noise[equation] + f64::EPSILON * roundings as f64
     }
 
+    /// The derivatives at a place, in the units the equations were given in: a row for each.
+    pub(crate) fn slopes(&self, at: &[f64]) -> Vec<f64> {
+        let mut place = [0.0; MOST_UNKNOWNS];
+        place[..at.len()].copy_from_slice(at);
+        let rows = self.jet(&place).1.into_iter().zip(&self.units);
+        rows.flat_map(|(row, unit)| row.map(|x| x * unit).into_iter().take(at.len())).collect()
+    }
+
+    /// The value of each equation at a place, and by how much it may be off if the place is by
+    /// `radius`.
+    pub(crate) fn rates(&self, at: &[f64], radius: f64) -> Vec<(f64, f64)> {
+        let mut place = [0.0; MOST_UNKNOWNS];
+        place[..at.len()].copy_from_slice(at);
+        let (values, slopes) = self.jet(&place);
+        let reach = |row: &Each| 2.0 * radius * row.iter().map(|x| x.abs()).sum::<f64>();
+        let each = values.into_iter().zip(&slopes).enumerate();
+        each.map(|(i, (value, row))| (value, self.noise_of_values(i) + reach(row))).collect()
+    }
+
+    /// A bound of the greatest value of one equation, times `sign`, over a box.
+    pub(crate) fn greatest(&self, equation: usize, sign: f64, lower: &[f64], upper: &[f64]) -> f64 {
+        let mut cell = super::cell::Cell::whole(self, 0.0);
+        for axis in 0..self.axes() {
+            if upper[axis] > lower[axis] {
+                cell.restrict(axis, lower[axis], upper[axis]);
+            } else {
+                // Nearly no side; the ends themselves are exact.
+                let (from, to) = if lower[axis] > 0.5 { (1.0 - 1e-12, 1.0) } else { (0.0, 1e-12) };
+                cell.restrict(axis, lower[axis].min(from), lower[axis].max(to).min(1.0));
+            }
+        }
+        let values = cell.each().nth(equation).unwrap_or(&[]);
+        let most = values.iter().fold(f64::NEG_INFINITY, |most, x| most.max(sign * x));
+        most + cell.noise[equation]
+    }
+
     /// Values of the equations, and their derivatives, equation by equation.
     pub(super) fn jet(&self, at: &Each) -> (Vec<f64>, Vec<Each>) {
         let axes = self.axes();

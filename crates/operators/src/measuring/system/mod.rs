@@ -146,6 +146,10 @@ enum Verdict {
 /// A shrunken side is worth another look when it is shorter than this part of the cell's.
 const SHRUNK: f64 = 0.7;
 
+/// A side shorter than this part of the longest is not narrowed: what is known of it goes down to
+/// rounding, where nothing can be shown.
+const SLENDER: f64 = 1.0 / 1024.0;
+
 /// Solutions are proved where the map shrinks distances to this part: with less, balls are wide.
 const CONTRACTS: f64 = 0.5;
 
@@ -187,16 +191,16 @@ impl Scratch {
             if width < limits.finest || (width <= limits.coarsest && combined.is_noise()) {
                 return Verdict::Noise(cell);
             }
-            let least = ratios.iter().fold(1.0_f64, |least, x| least.min(*x));
-            if least >= SHRUNK || *work >= limits.most {
+            // A side is narrowed while others are not left far behind.
+            let narrows = |axis: usize| ratios[axis] < SHRUNK && cell.side(axis) > SLENDER * width;
+            let sides: Vec<usize> = (0..equations.axes()).filter(|axis| narrows(*axis)).collect();
+            if sides.is_empty() || *work >= limits.most {
                 let axis = combined.axis_to_cut(&cell);
                 let (low, high) = cell.halves(axis);
                 return Verdict::Parts(low, high);
             }
-            for (axis, (from, to)) in within[..equations.axes()].iter().enumerate() {
-                if to - from < SHRUNK {
-                    cell.restrict(axis, *from, *to);
-                }
+            for axis in sides {
+                cell.restrict(axis, within[axis].0, within[axis].1);
             }
         }
     }

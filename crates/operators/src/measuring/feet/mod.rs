@@ -1,0 +1,368 @@
+//! All feet of a point on a form or spline: where the distance does not fall at first order.
+
+mod field;
+mod kind;
+
+use pforms_kernel::{Error, Form, Result, limit, threads};
+
+use super::invert::Doubt;
+use super::patches::{Patch, is_closed, patches};
+use super::project::positive_weights;
+use super::scale::{in_units, unit};
+use super::system::{BORDER, Limits, Solutions, solve};
+use super::vector::norm;
+use crate::{Poles, Shape};
+
+use field::{Field, Side};
+pub use kind::FootKind;
+
+/// A place of a form that is a foot of a point.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Foot {
+    /// The parameters, one for each axis.
+    pub parameters: Vec<f64>,
+    /// The point of the form.
+    pub point: Vec<f64>,
+    /// Its distance from the point.
+    pub distance: f64,
+    /// The parameters are wrong by no more than this, if `proved`; otherwise the widest side of the
+    /// box they were found in.
+    pub error: f64,
+    /// How the distance changes around it.
+    pub kind: FootKind,
+    /// Is it shown that there is a foot within the error, and no other? Otherwise it is a place in
+    /// a [`Doubt`].
+    pub proved: bool,
+}
+
+/// All feet of one point.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Feet {
+    /// In the order of their parameters.
+    pub feet: Vec<Foot>,
+    /// What is not decided. Every foot is a proved one or in one of these.
+    pub doubts: Vec<Doubt>,
+}
+
+impl Feet {
+    /// Are the feet all there are, each proved?
+    pub fn complete(&self) -> bool {
+        self.doubts.is_empty()
+    }
+}
+
+/// All feet of points, `ambient` numbers each, on a form or spline.
+///
+/// A foot is a place from which no way within the window leads nearer at first order: along each axis
+/// the distance does not change, or at the lower (upper) end of the window does not fall when the
+/// parameter grows (falls). So all local nearest points are among the feet, and besides them the
+/// inner places of greatest distance and the saddles; [`Foot::kind`] tells them apart. At a kink
+/// of a spline the rule holds for the pieces on either side, and where a shape ends as it begins along
+/// an axis it is taken to go on; such a foot has the first parameters.
+///
+/// All of them are found, each proved to be alone within its error. What cannot be shown is a
+/// [`Doubt`]: where feet fill a curve or more (the centre of a sphere), where two are about to
+/// become one (the centre of curvature), at collapsed edges. Boxes of doubt are cut no finer than
+/// `accuracy`, in windows of a piece. Work on each piece is bounded.
+///
+/// Errors: `Shape` for a shape without axes or with more than four, or when the count of `points`
+/// does not fit; `Domain` for points that are not finite or out of all proportion, for a weight that
+/// vanishes or changes sign in the window, for an accuracy not between 0 and 1; `Limit`.
+///
+/// ```
+/// use pforms_kernel::Form;
+/// use pforms_operators::{FootKind, project_all};
+/// let parabola: Form = Form::from_points(&[3], 2, &[-1., 1., 0., -1., 1., 1.], None)?;
+/// let feet = &project_all(&parabola.into(), &[0., 0.75], 1e-12)?[0];
+/// // Two nearest points at x² = 1/4, and the vertex, where the distance is greatest between them.
+/// let kinds: Vec<FootKind> = feet.feet.iter().map(|foot| foot.kind).collect();
+/// assert_eq!(kinds, [FootKind::Minimum, FootKind::Maximum, FootKind::Minimum]);
+/// assert!(feet.complete());
+/// # Ok::<(), pforms_kernel::Error>(())
+/// ```
+pub fn project_all(shape: &Shape, points: &[f64], accuracy: f64) -> Result<Vec<Feet>> {
+    let net = shape.net();
+    let (axes, ambient) = (net.axes(), net.ambient());
+    if !(0.0..=1.0).contains(&accuracy) {
+        return Err(Error::domain("accuracy", accuracy, "a number from 0 to 1"));
+    }
+    if axes == 0 || axes > 4 {
+        return Err(Error::shape("form", format!("{axes} axes"), "1 to 4 axes"));
+    }
+    if !points.len().is_multiple_of(ambient) {
+        let expected = format!("{ambient} for each point");
+        return Err(Error::shape("points", format!("{} numbers", points.len()), expected));
+    }
+    let unit = unit([net]);
+    let mut all = patches(&shape.with_net(in_units(net, unit)?)?)?;
+    for patch in &mut all {
+        let sign = positive_weights(&patch.form)?.sign;
+        patch.form = normalised(&patch.form, sign)?;
+    }
+    let most = MOST_WORK / (axes * axes);
+    let limits = Limits { finest: accuracy.max(FINEST), most, ..Limits::default() };
+    let counts = counts(shape);
+    let closed = (0..axes).map(|axis| is_closed(&all, &counts, axis)).collect();
+    let search = Search { patches: all, counts, closed, unit, limits };
+    let count = points.len() / ambient;
+    limit::check::<Feet>("the feet", &[count], 1)?;
+    let mut answers = vec![Feet::default(); count];
+    threads::fill_parts(&mut answers, 1, COST, |range, out| {
+        let part = &points[range.start * ambient..range.end * ambient];
+        for (point, answer) in part.chunks_exact(ambient).zip(out) {
+            *answer = search.feet(point)?;
+        }
+        Ok(())
+    })?;
+    Ok(answers)
+}
+
+/// No box is cut finer.
+const FINEST: f64 = 1e-13;
+
+/// Cells of one face, at most, for one axis.
+const MOST_WORK: usize = 1 << 14;
+
+/// Arithmetic for one point, about.
+const COST: usize = 1 << 16;
+
+/// Points farther than this many sizes are refused: the equations would overflow.
+const FARTHEST: f64 = 1e60;
+
+/// Pieces along each axis.
+fn counts(shape: &Shape) -> Vec<usize> {
+    match shape {
+        Shape::Form(form) => vec![1; form.axes()],
+        Shape::Spline(spline) => spline.counts(),
+    }
+}
+
+/// Positive weights; exactly 1 if they are all the same.
+fn normalised(form: &Form, sign: f64) -> Result<Form> {
+    let unit = form.uniform_weight().copied().unwrap_or(sign);
+    let poles = form.homogeneous().iter().map(|x| x / unit).collect();
+    Form::from_homogeneous(form.orders(), form.ambient(), poles)
+}
+
+/// The pieces, made ready.
+struct Search {
+    patches: Vec<Patch>,
+    counts: Vec<usize>,
+    /// Along which axes the shape ends where it begins.
+    closed: Vec<bool>,
+    unit: f64,
+    limits: Limits,
+}
+
+/// A place on a piece that may be a foot.
+struct Candidate {
+    patch: usize,
+    local: Vec<f64>,
+    radius: f64,
+    proved: bool,
+    kind: FootKind,
+}
+
+impl Search {
+    fn feet(&self, point: &[f64]) -> Result<Feet> {
+        let point: Vec<f64> = point.iter().map(|x| x / self.unit).collect();
+        if let Some(x) = point.iter().find(|x| x.is_nan() || x.abs() > FARTHEST) {
+            let expected = format!("points within {FARTHEST:e} times the size of the form");
+            return Err(Error::domain("points", x * self.unit, expected));
+        }
+        let fields = self
+            .patches
+            .iter()
+            .map(|patch| Field::new(&patch.form, &point))
+            .collect::<Result<Vec<_>>>()?;
+        let (mut candidates, mut doubts) = (Vec::new(), Vec::new());
+        for (number, field) in fields.iter().enumerate() {
+            for face in faces(self.counts.len()) {
+                self.on_face(number, field, &face, &mut candidates, &mut doubts)?;
+            }
+        }
+        candidates.retain(|candidate| self.stands(&fields, candidate));
+        let mut feet = Feet { feet: Vec::new(), doubts };
+        for candidate in &candidates {
+            let foot = self.foot(&fields, candidate)?;
+            include(&mut feet.feet, foot);
+        }
+        feet.feet.sort_by(|a, b| {
+            let each = a.parameters.iter().zip(&b.parameters).map(|(s, t)| s.total_cmp(t));
+            each.fold(std::cmp::Ordering::Equal, std::cmp::Ordering::then)
+        });
+        Ok(feet)
+    }
+
+    /// Adds the places of a face where nothing changes along its free axes.
+    fn on_face(
+        &self,
+        patch: usize,
+        field: &Field,
+        face: &[Side],
+        candidates: &mut Vec<Candidate>,
+        doubts: &mut Vec<Doubt>,
+    ) -> Result<()> {
+        let fixed = |free: &[f64]| -> Vec<f64> {
+            let mut free = free.iter();
+            let at = |side: &Side| match side {
+                Side::Free => free.next().copied().unwrap_or(0.0),
+                Side::Low => 0.0,
+                Side::High => 1.0,
+            };
+            face.iter().map(at).collect()
+        };
+        if !face.contains(&Side::Free) {
+            let kind = FootKind::Minimum;
+            candidates.push(Candidate {
+                patch,
+                local: fixed(&[]),
+                radius: 0.0,
+                proved: true,
+                kind,
+            });
+            return Ok(());
+        }
+        let equations = field.on_face(face)?;
+        let Solutions { roots, clusters, .. } = solve(&equations, &self.limits);
+        for root in roots {
+            let kind = FootKind::at(&equations, &root.parameters);
+            let (local, radius) = (fixed(&root.parameters), root.radius);
+            candidates.push(Candidate { patch, local, radius, proved: true, kind });
+        }
+        for cluster in clusters {
+            let (local, radius) = (fixed(&cluster.parameters), cluster.width());
+            let candidate = Candidate { patch, local, radius, proved: false, kind: FootKind::Flat };
+            if !Self::may_stand(field, face, &fixed(&cluster.lower), &fixed(&cluster.upper)) {
+                continue;
+            }
+            candidates.push(candidate);
+            let whole = |corner: &[f64]| self.patches[patch].whole(&fixed(corner));
+            doubts.push(Doubt { lower: whole(&cluster.lower), upper: whole(&cluster.upper) });
+        }
+        Ok(())
+    }
+
+    /// Can there be a foot in a part of a face, for all that is known of the axes across it?
+    fn may_stand(field: &Field, face: &[Side], lower: &[f64], upper: &[f64]) -> bool {
+        face.iter().enumerate().all(|(axis, side)| {
+            let sign = match side {
+                Side::Free => return true,
+                Side::Low => 1.0,
+                Side::High => -1.0,
+            };
+            field.equations.greatest(axis, sign, lower, upper) >= 0.0
+        })
+    }
+
+    /// Does the distance not fall from there at first order, on any piece that it belongs to?
+    fn stands(&self, fields: &[Field], candidate: &Candidate) -> bool {
+        self.neighbours(candidate).into_iter().all(|(patch, local)| {
+            let field = &fields[patch];
+            let foot = seen(&fields[candidate.patch].seen, &candidate.local);
+            let there = seen(&field.seen, &local);
+            if !together(foot.as_deref(), there.as_deref()) {
+                return true;
+            }
+            let inward = |axis: usize| match local[axis] {
+                0.0 => 1.0,
+                1.0 => -1.0,
+                _ => 0.0,
+            };
+            let rate = field.equations.rates(&local, candidate.radius);
+            (0..local.len()).all(|axis| {
+                let (value, slack) = rate[axis];
+                inward(axis) * value >= -slack
+            })
+        })
+    }
+
+    /// The piece of a candidate and those that meet it there, each with the place in it.
+    fn neighbours(&self, candidate: &Candidate) -> Vec<(usize, Vec<f64>)> {
+        let mut all = vec![(candidate.patch, candidate.local.clone())];
+        let mut stride = 1;
+        for (axis, count) in self.counts.iter().enumerate().rev() {
+            let index = candidate.patch / stride % count;
+            let goes_on = self.closed[axis];
+            let across = match candidate.local[axis] {
+                0.0 if index > 0 => Some((index - 1, 1.0)),
+                0.0 if goes_on => Some((count - 1, 1.0)),
+                1.0 if index + 1 < *count => Some((index + 1, 0.0)),
+                1.0 if goes_on => Some((0, 0.0)),
+                _ => None,
+            };
+            if let Some((to, t)) = across {
+                let beyond = all.clone().into_iter().map(|(patch, mut local)| {
+                    local[axis] = t;
+                    (patch + to * stride - index * stride, local)
+                });
+                all.extend(beyond);
+            }
+            stride *= count;
+        }
+        all
+    }
+
+    fn foot(&self, fields: &[Field], candidate: &Candidate) -> Result<Foot> {
+        let patch = &self.patches[candidate.patch];
+        let offset = fields[candidate.patch].seen.at(&candidate.local)?;
+        let point = patch.form.at(&candidate.local)?.iter().map(|x| x * self.unit).collect();
+        let mut parameters = patch.whole(&candidate.local);
+        for (axis, t) in parameters.iter_mut().enumerate() {
+            // Where the shape closes the place has one pair of parameters too many.
+            let last = self.patches[self.patches.len() - 1].window[axis].1;
+            if self.closed[axis] && *t == last {
+                *t = self.patches[0].window[axis].0;
+            }
+        }
+        Ok(Foot {
+            parameters,
+            point,
+            distance: norm(&offset) * self.unit,
+            error: candidate.radius * patch.side(),
+            kind: candidate.kind,
+            proved: candidate.proved,
+        })
+    }
+}
+
+/// The place of a form, if it is finite.
+fn seen(form: &Form, local: &[f64]) -> Option<Vec<f64>> {
+    form.at(local).ok()
+}
+
+/// Pieces that meet do so to this part of the size; otherwise the spline is torn there.
+const TORN: f64 = 1e-9;
+
+fn together(a: Option<&[f64]>, b: Option<&[f64]>) -> bool {
+    let (Some(a), Some(b)) = (a, b) else { return false };
+    let gap: Vec<f64> = a.iter().zip(b).map(|(x, y)| x - y).collect();
+    norm(&gap) <= TORN * (1.0 + norm(a))
+}
+
+/// All faces of a window, those of more dimensions first.
+fn faces(axes: usize) -> Vec<Vec<Side>> {
+    let mut all: Vec<Vec<Side>> = vec![Vec::new()];
+    for _ in 0..axes {
+        let longer = |face: Vec<Side>| {
+            [Side::Free, Side::Low, Side::High].map(|side| [face.clone(), vec![side]].concat())
+        };
+        all = all.into_iter().flat_map(longer).collect();
+    }
+    all.sort_by_key(|face| face.iter().filter(|side| **side != Side::Free).count());
+    all
+}
+
+/// Adds a foot unless it is one of those already there, found from another face or piece.
+fn include(feet: &mut Vec<Foot>, foot: Foot) {
+    let same = |other: &Foot| {
+        let reach = 2.0 * (foot.error + other.error) + 2.0 * BORDER;
+        let pairs = foot.parameters.iter().zip(&other.parameters);
+        pairs.clone().all(|(s, t)| (s - t).abs() <= reach * (1.0 + s.abs()))
+    };
+    match feet.iter().position(same) {
+        Some(i) if foot.proved && !feet[i].proved => feet[i] = foot,
+        Some(_) => {}
+        None => feet.push(foot),
+    }
+}
