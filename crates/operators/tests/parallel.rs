@@ -6,8 +6,8 @@ use std::f64::consts::{FRAC_1_SQRT_2, PI};
 
 use pforms_kernel::{Error, Form};
 use pforms_operators::{
-    Distance, FrameKind, Parallel, ParallelOptions, Shape, Side, Spline, curve_frames,
-    offset_poles, parallel, shell, surface_frame,
+    Distance, FrameKind, Parallel, ParallelOptions, Part, Shape, Side, Spline, curve_frames,
+    offset_poles, parallel, shell, sphere, surface_frame, torus,
 };
 use pforms_testkit::{Random, Weights, cases, net, octant};
 
@@ -371,4 +371,28 @@ fn what_has_no_parallel_is_refused() {
     assert!(parallel(slow.clone(), 0.1, &plain(1e-6)).is_ok());
     // 0 is the form itself.
     assert_eq!(parallel(slow.clone(), 0.0, &plain(1e-6)).unwrap().spline, slow.into());
+}
+
+#[test]
+fn whole_spheres_and_tori_have_parallels() {
+    let forms = [
+        (sphere(&1.0, Part::Whole).unwrap(), 1.0),
+        (sphere(&1.0, Part::Quarter).unwrap(), 1.0),
+        (torus(&2.0, &0.5, Part::Whole).unwrap(), 0.5),
+    ];
+    for (surface, radius) in forms {
+        for by in [0.2, -0.2, 1e-3] {
+            let found = parallel(surface.clone().into_spline(), by, &plain(1e-6)).unwrap();
+            for i in 0..=20 {
+                for j in 0..=20 {
+                    let at = [f64::from(i) / 20.0, f64::from(j) / 20.0];
+                    let p = found.spline.at(&at).unwrap();
+                    let round = p[0].hypot(p[2]);
+                    let middle = if radius < 1.0 { round - 2.0 } else { round };
+                    let off = (middle.hypot(p[1]) - radius).abs() - by.abs();
+                    assert!(off.abs() < 1e-6, "{off} at {at:?}");
+                }
+            }
+        }
+    }
 }

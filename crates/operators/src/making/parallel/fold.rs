@@ -41,7 +41,7 @@ const NOISE: f64 = 32.0 * f64::EPSILON;
 /// `s·W⁴·(I − d·II)`: one entry for a curve, three for a surface.
 fn matrix(cell: &Cell, distance: &Quotient, unit: f64) -> Result<Vec<Polynomial>> {
     let local = &cell.local;
-    let normal = cell.normal.map_scalar(|x| Guarded::from(*x))?;
+    let normal = directions(&cell.normal)?;
     let above = guarded(&distance.above, 1.0 / unit)?;
     let below = guarded(&cell.length.times(&distance.below)?, 1.0)?;
     let tangents = (0..local.axes()).map(|axis| Ok(Scaled::from_form(&tangent_form(local, axis)?)));
@@ -54,6 +54,17 @@ fn matrix(cell: &Cell, distance: &Quotient, unit: f64) -> Result<Vec<Polynomial>
         difference(&first, &second)
     };
     pairs.iter().map(entry).collect()
+}
+
+/// The normals, each number as sure as the largest of its vector: they are rounded products, of which a
+/// component that should be 0 is as much rounding as there is in the others.
+fn directions(normal: &Form) -> Result<Form<Guarded>> {
+    let poles = normal.homogeneous().chunks_exact(normal.width()).flat_map(|pole| {
+        let size = pole[..normal.ambient()].iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+        let vector = pole[..normal.ambient()].iter().map(move |x| Guarded { value: *x, size });
+        vector.chain([Guarded::from(pole[normal.ambient()])])
+    });
+    Form::from_homogeneous(normal.orders(), normal.ambient(), poles.collect())
 }
 
 /// `W⁴·N·f_kl`.

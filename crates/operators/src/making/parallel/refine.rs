@@ -32,6 +32,9 @@ const MOST_WORK: f64 = 1e10;
 /// Nor into smaller parts of a piece than this: halving has stopped to help.
 const NARROWEST: f64 = 1.0 / 1_048_576.0;
 
+/// Halvings of a cell, along all its axes, before a doubt whether it folds counts.
+const SHARPER: usize = 3;
+
 /// Roundings that the poles of the result may be off, generously.
 const ROUNDINGS: f64 = 64.0;
 
@@ -173,10 +176,7 @@ impl Division {
 
     fn refuse_folds(&self, unit: f64) -> Result<()> {
         for (place, cell) in self.places().iter().zip(&self.cells) {
-            let intervals = self.intervals(place);
-            let distance = self.distance_on(&intervals)?;
-            if let Some(local) = fold(cell, &distance, unit)? {
-                let place = self.place(&intervals, &local);
+            if let Some(place) = self.fold_within(&self.intervals(place), cell, unit, SHARPER)? {
                 return Err(Error::degenerate(
                     "distance",
                     format!("one that reaches the radius of curvature at parameters {place:?}"),
@@ -185,6 +185,31 @@ impl Division {
             }
         }
         Ok(())
+    }
+
+    /// Parameters near which the parallel of a cell folds. A doubt may be rounding, of which there is
+    /// less in a part than in the whole: it counts when it stays in a part of a part.
+    fn fold_within(
+        &self,
+        intervals: &[Interval],
+        cell: &Cell,
+        unit: f64,
+        halvings: usize,
+    ) -> Result<Option<Vec<f64>>> {
+        let Some(local) = fold(cell, &self.distance_on(intervals)?, unit)? else {
+            return Ok(None);
+        };
+        if halvings == 0 {
+            return Ok(Some(self.place(intervals, &local)));
+        }
+        let orders: Vec<usize> = cell.length.degrees().iter().map(|degree| degree + 1).collect();
+        for part in halved(intervals) {
+            let cell = self.cell(&part, &orders)?;
+            if let Some(place) = self.fold_within(&part, &cell, unit, halvings - 1)? {
+                return Ok(Some(place));
+            }
+        }
+        Ok(None)
     }
 
     /// One form for each cell, in C order, with weights like those of the original.
@@ -339,4 +364,17 @@ fn require_normals(normal: &Form) -> Result<()> {
             "a form whose normals vanish at most on whole edges",
         )),
     }
+}
+
+/// All parts that halving along every axis leaves.
+fn halved(intervals: &[Interval]) -> Vec<Vec<Interval>> {
+    let mut parts = vec![Vec::new()];
+    for interval in intervals {
+        let longer = |part: &Vec<Interval>| {
+            let halves = interval.halves().into_iter();
+            halves.map(|half| [&part[..], &[half]].concat()).collect::<Vec<_>>()
+        };
+        parts = parts.iter().flat_map(longer).collect();
+    }
+    parts
 }
