@@ -15,7 +15,7 @@ mod rows;
 mod search;
 mod spline;
 mod target;
-mod weight;
+pub(super) mod weight;
 
 use pforms_kernel::vectors::in_lanes;
 use pforms_kernel::{Error, Form, Result, limit, threads};
