@@ -3,7 +3,7 @@
 use super::hermite::Piece;
 use super::pair::{Knot, Pair, Place};
 use super::pairs::Cell;
-use super::space::{V3, apart, norm, minus, times};
+use super::space::{V3, apart, minus, norm, times};
 use super::touch::{Kind, Tangency};
 use super::trace::{Arc, End, Limits, trace};
 
@@ -56,7 +56,7 @@ impl Touching {
     /// cannot be told apart counts too.
     pub(super) fn explain(&mut self, pair: &Pair, cell: &Cell, last: bool) -> Found {
         let small = cell.width() <= SMALL || last;
-        if small && self.is_near(cell) {
+        if self.is_near(cell, small) {
             return Found::Explained;
         }
         let tangency = Tangency { pair, reach: self.reach };
@@ -101,9 +101,9 @@ impl Touching {
         (cell.holds(&x, 0.5) && tangency.gap(&x) <= self.reach).then_some(x)
     }
 
-    fn is_near(&self, cell: &Cell) -> bool {
-        self.points.iter().any(|touch| touch.is_near(cell))
-            || self.curves.iter().any(|arc| arc.pieces().any(|piece| meets(&piece, cell)))
+    fn is_near(&self, cell: &Cell, small: bool) -> bool {
+        self.points.iter().any(|touch| touch.is_near(cell, small))
+            || small && self.curves.iter().any(|arc| arc.pieces().any(|piece| meets(&piece, cell)))
     }
 
     /// Adds the point of a collapsed border if it is on the other surface, within this box.
@@ -111,7 +111,8 @@ impl Touching {
         let mut x = cell.middle();
         let on_first = axis < 2;
         let turned = Pair { a: pair.b, b: pair.a };
-        let found = if on_first { foot(pair, &x) } else { foot(&turned, &[x[2], x[3], x[0], x[1]]) };
+        let found =
+            if on_first { foot(pair, &x) } else { foot(&turned, &[x[2], x[3], x[0], x[1]]) };
         let Some((there, gap)) = found else { return };
         let at = if on_first { 2 } else { 0 };
         (x[at], x[at + 1]) = (there[2], there[3]);
@@ -134,7 +135,15 @@ impl Touching {
         let known = known && halves.len() == 2 * directions.len();
         let [a, b] = tangency.pair.jets::<false>(&x);
         let p = std::array::from_fn(|k| f64::midpoint(a.p[k], b.p[k]));
-        self.points.push(Touch { x, p, gap: norm(&minus(&a.p, &b.p)), halves, known, crossing: false, pole: None });
+        self.points.push(Touch {
+            x,
+            p,
+            gap: norm(&minus(&a.p, &b.p)),
+            halves,
+            known,
+            crossing: false,
+            pole: None,
+        });
     }
 
     /// Follows the curve along which the surfaces touch; it must lead out of the cell.
@@ -161,14 +170,16 @@ impl Touching {
 }
 
 impl Touch {
-    /// Is it in a cell, or near it?
-    fn is_near(&self, cell: &Cell) -> bool {
-        let Some((axis, value)) = self.pole else { return cell.holds(&self.x, 0.5) };
+    /// Is it in a small cell, or near it?
+    fn is_near(&self, cell: &Cell, small: bool) -> bool {
+        let Some((axis, value)) = self.pole else { return small && cell.holds(&self.x, 0.5) };
         // All values of the other parameter of the collapsed border are this point.
+        let mut flat = *cell;
+        let free = axis ^ 1;
+        (flat.lower[free], flat.upper[free]) = (self.x[free], self.x[free]);
         let mut x = self.x;
-        x[axis ^ 1] = cell.middle()[axis ^ 1];
         x[axis] = value;
-        cell.holds(&x, 0.5)
+        (small || flat.width() <= SMALL) && flat.holds(&x, 0.5)
     }
 
     /// Is it this place, or nearly?
@@ -204,7 +215,8 @@ fn coincide(tangency: &Tangency, cell: &Cell, reach: f64) -> Option<Cell> {
             // There and back, so that each start is near.
             let j = if i % 2 == 0 { step } else { STEPS - step };
             (start[0], start[1]) = (at(i, 0), at(j, 1));
-            let (x, distance) = foot(tangency.pair, &start)?;
+            // At a collapsed border there is no foot to speak of.
+            let Some((x, distance)) = foot(tangency.pair, &start) else { continue };
             // Beyond the cell there is nothing to coincide with.
             if !cell.holds(&x, 1e-9) {
                 continue;

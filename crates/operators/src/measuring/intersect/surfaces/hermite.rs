@@ -30,9 +30,8 @@ pub(super) struct Piece {
 impl Piece {
     /// The piece between two knots; its parameter is arc length, as nearly as a quintic has it.
     pub(super) fn between(from: &Knot, to: &Knot) -> Self {
-        let ends = |length: f64| {
-            poles(length, [&from.p, &from.dp, &from.ddp], [&to.p, &to.dp, &to.ddp])
-        };
+        let ends =
+            |length: f64| poles(length, [&from.p, &from.dp, &from.ddp], [&to.p, &to.dp, &to.ddp]);
         let mut length = norm(&minus(&to.p, &from.p));
         for _ in 0..3 {
             length = arc_length(&ends(length));

@@ -171,7 +171,7 @@ impl Path {
         let off = |last: &[f64]| last.iter().zip(&piece[0]).any(|(a, b)| (a - b).abs() > 1e-7);
         let jump = last.is_none_or(|last| may_jump && off(last));
         self.jumps.push(jump);
-        let kept = if jump { 0 } else { 1 };
+        let kept = usize::from(!jump);
         self.points.extend(piece[kept..].iter().flatten());
     }
 

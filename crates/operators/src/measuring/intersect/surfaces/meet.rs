@@ -17,6 +17,8 @@ pub(super) struct Meeting {
     pub touches: Vec<Touch>,
     pub overlaps: Vec<Cell>,
     pub undecided: Vec<Cell>,
+    /// Is it proved that there is nothing else, outside of these boxes?
+    pub proved: bool,
 }
 
 /// A mark counts as passed by an arc that comes as near as this, in every parameter.
@@ -26,7 +28,7 @@ const REACH: f64 = 1e-6;
 const NEAR: f64 = 1e-5;
 
 /// A box on a line that is narrower is explained by what passes through it.
-const SMALL: f64 = 0.03;
+const SMALL: f64 = 0.05;
 
 /// Near a contact marks are not counted: several branches pass them.
 const CROWDED: f64 = 1e-3;
@@ -37,7 +39,12 @@ const MANY: usize = 400;
 /// Each attempt with steps this much shorter than those of the one before.
 const ATTEMPTS: [f64; 3] = [1.0, 0.15, 0.02];
 
-pub(super) fn meet(patches: [&Patch; 2], trees: &mut [&mut Tree; 2], limits: Limits, work: &mut Work) -> Meeting {
+pub(super) fn meet(
+    patches: [&Patch; 2],
+    trees: &mut [&mut Tree; 2],
+    limits: Limits,
+    work: &mut Work,
+) -> Meeting {
     let pair = Pair { a: patches[0], b: patches[1] };
     let mut touching = Touching::new(limits);
     let found = search(&pair, trees, &mut touching, work);
@@ -51,12 +58,14 @@ pub(super) fn meet(patches: [&Patch; 2], trees: &mut [&mut Tree; 2], limits: Lim
         }
     }
     let doubts = following.doubts();
+    let proved =
+        found.loose.is_empty() && touching.overlaps.is_empty() && touching.curves.is_empty();
     let Following { mut arcs, touches, mut undecided, .. } = following;
     undecided.extend(doubts);
     undecided.extend(&found.undecided);
     arcs.extend(touching.curves);
     touching.points.extend(touches);
-    Meeting { arcs, touches: touching.points, overlaps: touching.overlaps, undecided }
+    Meeting { arcs, touches: touching.points, overlaps: touching.overlaps, undecided, proved }
 }
 
 /// The branches of two pieces, one after another.
@@ -113,9 +122,9 @@ impl<'a> Following<'a> {
     fn is_taken(&self, half: &Knot) -> bool {
         self.arcs.iter().any(|arc| {
             let ends = [arc.knots.first().copied(), arc.knots.last().map(|k| k.reversed())];
-            ends.iter().flatten().any(|end| {
-                apart(&end.x, &half.x) < REACH && dot(&end.dp, &half.dp) > 0.999
-            })
+            ends.iter()
+                .flatten()
+                .any(|end| apart(&end.x, &half.x) < REACH && dot(&end.dp, &half.dp) > 0.999)
         })
     }
 

@@ -140,11 +140,7 @@ fn reciprocal(rows: &[V3; 3], products: &[f64; 3]) -> Option<V3> {
     let [a, b, c] = rows;
     let (bc, ca, ab) = (cross(b, c), cross(c, a), cross(a, b));
     let determinant = dot(a, &bc);
-    let sum = plus(
-        &plus(&times(&bc, products[0]), products[1], &ca),
-        products[2],
-        &ab,
-    );
+    let sum = plus(&plus(&times(&bc, products[0]), products[1], &ca), products[2], &ab);
     let found = times(&sum, 1.0 / determinant);
     found.iter().all(|x| x.is_finite()).then_some(found)
 }

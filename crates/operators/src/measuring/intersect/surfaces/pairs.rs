@@ -44,7 +44,12 @@ const DEEPEST: usize = 120;
 const BETWEEN: usize = 4;
 
 /// Looks for everything that two pieces have in common; contacts go to `touching`.
-pub(super) fn search(pair: &Pair, trees: &mut [&mut Tree; 2], touching: &mut Touching, work: &mut Work) -> Search {
+pub(super) fn search(
+    pair: &Pair,
+    trees: &mut [&mut Tree; 2],
+    touching: &mut Touching,
+    work: &mut Work,
+) -> Search {
     let mut found = Search::default();
     if !trees[0].parts[0].may_meet(&trees[1].parts[0]) {
         return found;
@@ -89,7 +94,8 @@ pub(super) fn search(pair: &Pair, trees: &mut [&mut Tree; 2], touching: &mut Tou
                 continue;
             }
             let first = a.size * (0.1 + a.turn()) >= b.size * (0.1 + b.turn());
-            let (halves, axis, value) = trees[usize::from(!first)].halves([i, j][usize::from(!first)]);
+            let (halves, axis, value) =
+                trees[usize::from(!first)].halves([i, j][usize::from(!first)]);
             let level = Level { axis: axis + if first { 0 } else { 2 }, value };
             let (own, other) = if first { (0, j) } else { (1, i) };
             let line = trees[own].border(halves[0], axis, true);
@@ -105,7 +111,15 @@ pub(super) fn search(pair: &Pair, trees: &mut [&mut Tree; 2], touching: &mut Tou
 }
 
 impl Search {
-    fn add(&mut self, pair: &Pair, level: Level, line: Line, tree: &mut Tree, part: usize, work: &mut Work) {
+    fn add(
+        &mut self,
+        pair: &Pair,
+        level: Level,
+        line: Line,
+        tree: &mut Tree,
+        part: usize,
+        work: &mut Work,
+    ) {
         let Pierced { points, loose } = pierce(pair, level, line, tree, part, work);
         self.marks.extend(points.into_iter().map(|x| Mark { x, level }));
         self.loose.extend(loose);

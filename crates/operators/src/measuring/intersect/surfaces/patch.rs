@@ -61,9 +61,8 @@ impl Patch {
         for (i, row) in self.poles.chunks_exact(self.orders[1]).enumerate() {
             let mut line = [[0.0; 4]; 3];
             for (j, pole) in row.iter().enumerate() {
-                for order in 0..2 + usize::from(SECOND) {
-                    let factor = along.rows[order][j];
-                    (0..4).for_each(|k| line[order][k] += factor * pole[k]);
+                for (sum, rows) in line.iter_mut().zip(&along.rows[..2 + usize::from(SECOND)]) {
+                    (0..4).for_each(|k| sum[k] += rows[j] * pole[k]);
                 }
             }
             let [b, b1] = [across.rows[0][i], across.rows[1][i]];
@@ -125,8 +124,8 @@ impl Basis {
             let n = degree as f64;
             let at = |k: usize, back: usize| if k < back { 0.0 } else { row[k - back] };
             if step + 2 == degree && second {
-                for k in 0..=degree {
-                    rows[2][k] = n * (n - 1.0) * (at(k, 2) - 2.0 * at(k, 1) + at(k, 0));
+                for (k, x) in rows[2].iter_mut().enumerate() {
+                    *x = n * (n - 1.0) * (at(k, 2) - 2.0 * at(k, 1) + at(k, 0));
                 }
             }
             if step + 1 == degree {

@@ -111,8 +111,6 @@ impl Level {
     fn is_within(self, x: &Place, line: &Line, lower: [f64; 2], upper: [f64; 2]) -> bool {
         let low = self.place(line.lower, lower);
         let high = self.place(line.upper, upper);
-        (0..4).all(|k| {
-            k == self.axis || (x[k] >= low[k] - SAME && x[k] <= high[k] + SAME)
-        })
+        (0..4).all(|k| k == self.axis || (x[k] >= low[k] - SAME && x[k] <= high[k] + SAME))
     }
 }

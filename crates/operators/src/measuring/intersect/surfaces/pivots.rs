@@ -29,9 +29,8 @@ pub(super) fn solve<const N: usize>(
         for other in 0..rows.len() {
             let factor = rows[other][j] / rows[i][j];
             if other != i && factor != 0.0 {
-                for k in 0..N {
-                    rows[other][k] -= factor * rows[i][k];
-                }
+                let pivot = rows[i];
+                rows[other].iter_mut().zip(pivot).for_each(|(x, y)| *x -= factor * y);
                 right[other] -= factor * right[i];
             }
         }

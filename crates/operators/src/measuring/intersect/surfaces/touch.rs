@@ -145,10 +145,9 @@ impl Tangency<'_> {
         if first.abs() <= AGREE * bend {
             return Some(Kind::Flat);
         }
-        let angle = 0.5 * libm::atan2(if mean >= 0.0 { m } else { -m }, if mean >= 0.0 { half } else { -half });
-        let turned = |by: f64| {
-            plus(&times(&e, libm::cos(angle + by)), libm::sin(angle + by), &f)
-        };
+        let angle = 0.5
+            * libm::atan2(if mean >= 0.0 { m } else { -m }, if mean >= 0.0 { half } else { -half });
+        let turned = |by: f64| plus(&times(&e, libm::cos(angle + by)), libm::sin(angle + by), &f);
         if last.abs() <= AGREE * first.abs().max(bend) * 10.0 {
             return Some(Kind::Along(turned(std::f64::consts::FRAC_PI_2)));
         }

@@ -245,9 +245,7 @@ impl Arc {
             }
             for half in &node.halves {
                 let last = half.reversed();
-                if let Some((piece, error)) = checked(track, now, &last, limits.error)
-                    && self.follows(track, now, &piece)
-                {
+                if let Some((piece, error)) = checked(track, now, &last, limits.error) {
                     self.push(last, (piece.length, error));
                     return Arrival::Here;
                 }
@@ -258,13 +256,6 @@ impl Arc {
             }
         }
         Arrival::None
-    }
-
-    /// Is a place a little further on the piece also where a small step leads?
-    fn follows(&self, track: &impl Track, now: &Knot, piece: &Piece) -> bool {
-        let (p, _, guess) = piece.at(0.25);
-        let Some(x) = track.in_plane(&guess, &p, &now.dp) else { return false };
-        apart(&x, &guess) < 1e-4
     }
 
     /// The length and error of the last piece, when a step passes the start.

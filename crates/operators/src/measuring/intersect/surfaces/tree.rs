@@ -224,7 +224,7 @@ fn span(points: &[V3], axis: &V3) -> [f64; 2] {
 /// Differences of neighbours along an axis.
 fn steps(points: &[V3], orders: [usize; 2], axis: usize) -> impl Iterator<Item = V3> + Clone {
     let stride = if axis == 0 { orders[1] } else { 1 };
-    let inside = move |i: &usize| axis == 0 || (i + 1) % orders[1] != 0;
+    let inside = move |i: &usize| axis == 0 || !(i + 1).is_multiple_of(orders[1]);
     let count = points.len().saturating_sub(stride);
     (0..count).filter(inside).map(move |i| minus(&points[i + stride], &points[i]))
 }

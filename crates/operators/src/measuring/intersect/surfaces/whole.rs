@@ -7,8 +7,8 @@ use super::join::{Units, branches, global, in_space, in_windows};
 use super::meet::meet;
 use super::pair::Place;
 use super::pairs::Cell;
-use super::pierce::Work;
 use super::patch::Patch;
+use super::pierce::Work;
 use super::positive::Positive;
 use super::space::{V3, apart, minus, norm};
 use super::trace::{Arc, Limits};
@@ -46,8 +46,9 @@ struct Piece {
 /// surfaces, and of the points at its parameters, measured in the middle of every step; at most
 /// `accuracy` times the size of the smaller surface, but no less than 1e-10 of it.
 ///
-/// `complete` says that no branch is missing but for loops within the boxes listed as undecided, or
-/// within rounding of the contacts.
+/// `complete` says that no branch is missing, but for a loop close to one of the contacts. It is not
+/// said where surfaces touch along a curve, where they coincide, or where the border of one lies in
+/// the other: these are found by looking, not by proof.
 ///
 /// Errors: `Shape` unless both are surfaces in space; `Degenerate` for an axis with one pole, along
 /// which there is no surface; `Domain` for a weight that vanishes or changes sign.
@@ -129,18 +130,18 @@ impl Hull {
         let high: V3 = std::array::from_fn(|k| self.high[k].min(other.high[k]));
         let centre: V3 = std::array::from_fn(|k| 0.5 * low[k] + 0.5 * high[k]);
         let ends = [&self.low, &self.high, &other.low, &other.high];
-        let scale = ends.iter().flat_map(|end| minus(end, &centre)).fold(0.0_f64, |most, x| {
-            most.max(x.abs())
-        });
+        let scale = ends
+            .iter()
+            .flat_map(|end| minus(end, &centre))
+            .fold(0.0_f64, |most, x| most.max(x.abs()));
         let room = 1e-13 * scale;
         if scale == 0.0 || (0..3).any(|k| low[k] > high[k] + room) {
             return None;
         }
         // A power of two, so that nothing is rounded.
         let scale = libm::ldexp(1.0, libm::ilogb(scale).clamp(-1000, 1000));
-        let sizes = [self, other].map(|hull| {
-            norm(&std::array::from_fn(|k| hull.high[k] / scale - hull.low[k] / scale))
-        });
+        let sizes = [self, other]
+            .map(|hull| norm(&std::array::from_fn(|k| hull.high[k] / scale - hull.low[k] / scale)));
         Some((Units { centre, scale }, sizes[0].min(sizes[1])))
     }
 
@@ -161,6 +162,8 @@ struct Gathered {
     touches: Vec<Touch>,
     overlaps: Vec<Cell>,
     undecided: Vec<Cell>,
+    /// Does something rest on what was seen, not on what was proved?
+    seen: bool,
 }
 
 impl Gathered {
@@ -174,6 +177,7 @@ impl Gathered {
         };
         let mut trees = [&mut one.tree, &mut other.tree];
         let met = meet([&one.patch, &other.patch], &mut trees, limits, work);
+        self.seen |= !met.proved;
         self.arcs.extend(met.arcs.into_iter().map(|mut arc| {
             arc.knots.iter_mut().for_each(|knot| *knot = in_windows(knot, &lower, &upper));
             arc
@@ -197,7 +201,7 @@ impl Gathered {
         answer.contacts = kept.iter().map(|touch| contact(touch, units)).collect();
         answer.overlaps = merged(&self.overlaps).iter().map(overlap).collect();
         answer.undecided = merged(&self.undecided).iter().map(undecided).collect();
-        answer.complete = answer.undecided.is_empty();
+        answer.complete = answer.undecided.is_empty() && !self.seen;
         Ok(())
     }
 }
@@ -265,4 +269,3 @@ fn undecided(cell: &Cell) -> Undecided {
     let [first, second] = cell.halves();
     Undecided { first, second }
 }
-
