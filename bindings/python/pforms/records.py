@@ -243,9 +243,10 @@ class Intersection(NamedTuple):
     """Where two forms meet, and whether that is all.
 
     >>> import pforms as pf
-    >>> found = pf.intersect([(0, 0), (2, 2)], [(0, 2), (2, 0)])
-    >>> found.points, found.kinds, found.complete
-    (array([[1., 1.]]), ('crossing',), True)
+    >>> arch = pf.Form([(0, 0), (0.5, 1), (1, 0)])
+    >>> found = pf.intersect(arch, [(0, 0.5), (1, 0.5)])
+    >>> found.points, found.kinds, found.orders, found.complete
+    (array([[0.5, 0.5]]), ('tangent',), array([2]), True)
     """
 
     first: NDArray[float64]

@@ -6,6 +6,7 @@
 mod answer;
 mod curve_surface;
 mod curves;
+mod exact;
 mod pieces;
 mod surfaces;
 
@@ -51,7 +52,10 @@ pub fn intersect(first: &Shape, second: &Shape, accuracy: f64) -> Result<Interse
     match (a.axes(), b.axes()) {
         (1, 1) => curves::intersect_curves(first, second, accuracy),
         (1, 2) => {
-            pieces::pairwise(first, second, |a, b| curve_surface::curve_surface(a, b, accuracy))
+            let margin = curves::margin(&[a, b], accuracy);
+            pieces::pairwise(first, second, margin, |a, b| {
+                curve_surface::curve_surface(a, b, accuracy)
+            })
         }
         (2, 1) => intersect(second, first, accuracy).map(Intersections::swapped),
         (2, 2) => surfaces::surface_surface(first, second, accuracy),

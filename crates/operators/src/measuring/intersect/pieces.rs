@@ -15,12 +15,13 @@ struct Piece {
 /// Parameters are the same if they differ by less than this share of a window.
 const SAME: f64 = 1e-11;
 
-/// Meets every piece of one with every piece of the other.
+/// Meets every piece of one with every piece of the other that comes nearer than `margin`.
 ///
 /// Errors: those of the pieces, of `meet`.
 pub(super) fn pairwise(
     first: &Shape,
     second: &Shape,
+    margin: f64,
     meet: impl Fn(&Form, &Form) -> Result<Intersections>,
 ) -> Result<Intersections> {
     if let (Shape::Form(a), Shape::Form(b)) = (first, second) {
@@ -30,7 +31,7 @@ pub(super) fn pairwise(
     let mut all = Intersections { complete: true, ..Intersections::default() };
     for a in &ours {
         for b in &theirs {
-            if are_apart(a, b) {
+            if are_apart(a, b, margin) {
                 continue;
             }
             let found = meet(&a.form, &b.form)?;
@@ -109,8 +110,8 @@ fn join(overlaps: &mut Vec<Overlap>) {
         });
         match before {
             Some(before) => {
-                before.first[1] = overlap.first[1].clone();
-                before.second[1] = overlap.second[1].clone();
+                before.first[1].clone_from(&overlap.first[1]);
+                before.second[1].clone_from(&overlap.second[1]);
                 before.gap = before.gap.max(overlap.gap);
                 before.proved &= overlap.proved;
             }
@@ -174,8 +175,8 @@ fn hull(form: &Form) -> Option<Vec<(f64, f64)>> {
 }
 
 /// Are the boxes of two pieces clearly apart?
-fn are_apart(a: &Piece, b: &Piece) -> bool {
+fn are_apart(a: &Piece, b: &Piece, margin: f64) -> bool {
     let (Some(p), Some(q)) = (&a.hull, &b.hull) else { return false };
     let reach = p.iter().chain(q).fold(0.0_f64, |most, (x, y)| most.max(x.abs()).max(y.abs()));
-    p.iter().zip(q).any(|(x, y)| (x.0 - y.1).max(y.0 - x.1) > 1e-9 * reach)
+    p.iter().zip(q).any(|(x, y)| (x.0 - y.1).max(y.0 - x.1) > margin + 1e-9 * reach)
 }

@@ -86,7 +86,8 @@ impl Flat {
     }
 }
 
-fn poles(form: &Form, view: &View) -> Poles3 {
+/// Homogeneous poles as seen.
+pub(super) fn poles(form: &Form, view: &View) -> Poles3 {
     let weight = form.ambient();
     let poles = form.homogeneous().chunks_exact(form.width());
     poles

@@ -60,12 +60,11 @@ pub fn intersect_many(pairs: &[(&Form, &Form)], accuracy: f64) -> Result<Crossin
     threads::fill_parts(&mut outcomes, 1, COST, |range, out| {
         let mut searches = Searches::new();
         for ((a, b), outcome) in pairs[range].iter().zip(out) {
-            *outcome = match quick(&mut searches, a, b, accuracy) {
-                Some(roots) => Outcome::Quick(roots),
-                None => {
-                    let whole = intersect(&(*a).clone().into(), &(*b).clone().into(), accuracy)?;
-                    Outcome::Whole(Box::new(whole))
-                }
+            *outcome = if let Some(roots) = quick(&mut searches, a, b, accuracy) {
+                Outcome::Quick(roots)
+            } else {
+                let whole = intersect(&(*a).clone().into(), &(*b).clone().into(), accuracy)?;
+                Outcome::Whole(Box::new(whole))
             };
         }
         Ok(())

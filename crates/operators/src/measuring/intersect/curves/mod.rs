@@ -11,6 +11,8 @@ mod leftover;
 mod many;
 mod overlap;
 mod part;
+mod plane;
+mod point;
 mod quick;
 mod root;
 mod searches;
@@ -18,12 +20,12 @@ mod weights;
 
 use pforms_kernel::{Error, Form, Result};
 
-use super::answer::{Contact, ContactKind, Intersections};
+use super::answer::{Contact, ContactKind, Intersections, Overlap, Undecided};
 use super::pieces::{merge, pairwise};
 use crate::measuring::scale::{in_units, unit};
-use crate::{Poles, Shape};
+use crate::{Poles, Shape, stretch};
 use flat::{Flat, live, views};
-use leftover::{Window, contact, contact_in, gathered, undecided};
+use leftover::{Window, contact, contact_in, gathered};
 pub use many::{Crossings, intersect_many};
 use quick::Found;
 use root::Root;
@@ -42,7 +44,7 @@ pub(super) fn intersect_curves(
     let first = first.with_net(in_units(first.net(), unit)?)?;
     let second = second.with_net(in_units(second.net(), unit)?)?;
     let margin = margin(&[first.net(), second.net()], accuracy);
-    let mut found = pairwise(&first, &second, |a, b| meet(a, b, margin))?;
+    let mut found = pairwise(&first, &second, margin, |a, b| meet(a, b, margin))?;
     for contact in &mut found.contacts {
         contact.gap *= unit;
         contact.point.iter_mut().for_each(|x| *x *= unit);
@@ -53,7 +55,7 @@ pub(super) fn intersect_curves(
 
 /// The distance below which curves touch: a share of the larger extent of their poles, but no
 /// less than what the rounding of coordinates may be; nothing for an accuracy of 0.
-fn margin(nets: &[&Form; 2], accuracy: f64) -> f64 {
+pub(super) fn margin(nets: &[&Form; 2], accuracy: f64) -> f64 {
     if accuracy == 0.0 {
         return 0.0;
     }
@@ -83,11 +85,14 @@ fn meet(a: &Form, b: &Form, margin: f64) -> Result<Intersections> {
     if let (Shape::Form(a), Shape::Form(b)) = (&first, &second) {
         return settled(a, b, margin);
     }
-    pairwise(&first, &second, |a, b| settled(a, b, margin))
+    pairwise(&first, &second, margin, |a, b| settled(a, b, margin))
 }
 
 /// All contacts of two forms with weights of one sign.
 fn settled(a: &Form, b: &Form, margin: f64) -> Result<Intersections> {
+    if let Some(answer) = point::settled(a, b, margin)? {
+        return Ok(answer);
+    }
     let live = live(a, b);
     let mut searches = Searches::new();
     let mut best: Option<Found> = None;
@@ -109,8 +114,10 @@ fn settled(a: &Form, b: &Form, margin: f64) -> Result<Intersections> {
         true => Some(crossing(a, root)),
         false => in_space(a, b, root, margin),
     }));
-    if !left.is_empty() {
-        settle_left(a, b, &left, margin, &mut answer)?;
+    match left.is_empty() {
+        true => {}
+        false if plane => plane::settle(a, b, &views[0], &left, margin, &mut answer)?,
+        false => settle_left(a, b, &left, margin, &mut answer)?,
     }
     answer.complete = answer.undecided.is_empty();
     merge(&mut answer);
@@ -138,7 +145,7 @@ fn in_space(a: &Form, b: &Form, root: &Root, margin: f64) -> Option<Contact> {
     (near.gap <= margin).then(|| contact(a, &near, root.error.max(margin)))
 }
 
-/// What the windows that were left over hold.
+/// What the windows that were left over hold, of curves in space.
 fn settle_left(
     a: &Form,
     b: &Form,
@@ -146,17 +153,60 @@ fn settle_left(
     margin: f64,
     answer: &mut Intersections,
 ) -> Result<()> {
-    if let Some(shared) = overlap::overlap(a, b, margin)? {
-        answer.overlaps.push(shared);
+    answer.overlaps = overlap::overlaps(a, b, margin)?;
+    if !answer.overlaps.is_empty() {
+        return beside(a, b, margin, answer);
     }
     for window in gathered(left) {
-        if answer.overlaps.iter().any(|overlap| leftover::within(overlap, &window)) {
-            continue;
-        }
         match contact_in(a, b, &window, margin) {
             Ok(found) => answer.contacts.extend(found),
-            Err(_) => answer.undecided.push(undecided(&window)),
+            Err(window) => answer.undecided.push(window),
         }
     }
     Ok(())
+}
+
+/// What curves that share arcs have in common beside them: the rest of the first curve meets the second,
+/// the arcs meet the rest of the second.
+fn beside(a: &Form, b: &Form, margin: f64, answer: &mut Intersections) -> Result<()> {
+    answer.contacts.clear();
+    let arcs = |of: &dyn Fn(&Overlap) -> [f64; 2]| -> Vec<[f64; 2]> {
+        let sorted = |[from, to]: [f64; 2]| [from.min(to), from.max(to)];
+        answer.overlaps.iter().map(|overlap| sorted(of(overlap))).collect()
+    };
+    let first = arcs(&|o| [o.first[0][0], o.first[1][0]]);
+    let second = arcs(&|o| [o.second[0][0], o.second[1][0]]);
+    let mut pairs: Vec<Window> = rest(&first).into_iter().map(|s| [s, [0.0, 1.0]]).collect();
+    let others = rest(&second);
+    pairs.extend(first.iter().flat_map(|s| others.iter().map(move |t| [*s, *t])));
+    for [s, t] in pairs {
+        let (p, q) = (stretch(a, &s[..1], &s[1..])?, stretch(b, &t[..1], &t[1..])?);
+        let found = settled(&p, &q, margin)?;
+        let at = |[from, to]: [f64; 2], x: &[f64]| vec![from + x[0] * (to - from)];
+        answer.contacts.extend(found.contacts.into_iter().map(|c| Contact {
+            first: at(s, &c.first),
+            second: at(t, &c.second),
+            ..c
+        }));
+        answer.undecided.extend(found.undecided.into_iter().map(|u| Undecided {
+            first: u.first.map(|x| at(s, &x)),
+            second: u.second.map(|x| at(t, &x)),
+        }));
+    }
+    Ok(())
+}
+
+/// What is left of the window from 0 to 1.
+fn rest(arcs: &[[f64; 2]]) -> Vec<[f64; 2]> {
+    let mut sorted = arcs.to_vec();
+    sorted.sort_by(|x, y| x[0].total_cmp(&y[0]));
+    let mut rest = Vec::new();
+    let mut from = 0.0;
+    for [start, end] in sorted {
+        rest.push([from, start]);
+        from = f64::max(from, end);
+    }
+    rest.push([from, 1.0]);
+    rest.retain(|[from, to]| to - from > 1e-9);
+    rest
 }

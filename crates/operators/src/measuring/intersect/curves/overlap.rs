@@ -9,24 +9,36 @@ use pforms_kernel::{Form, Result};
 use crate::measuring::intersect::answer::Overlap;
 use crate::{project, raise_together, stretch};
 
-/// The arc along which two curves stay within `margin`, if its ends are ends of one or the other.
+/// The arcs along which two curves stay within `margin`: from end to end of one or the other.
 ///
 /// Errors: those of projection on either curve.
-pub(super) fn overlap(a: &Form, b: &Form, margin: f64) -> Result<Option<Overlap>> {
+pub(super) fn overlaps(a: &Form, b: &Form, margin: f64) -> Result<Vec<Overlap>> {
     for ends in [[0.0, 1.0], [1.0, 0.0]] {
         if let Some(gap) = compared(a, [0.0, 1.0], b, ends, margin)? {
-            return Ok(Some(shared([0.0, 1.0], ends, gap)));
+            return Ok(vec![shared([0.0, 1.0], ends, gap)]);
         }
     }
+    let mut found = Vec::new();
+    for pair in ends(a, b, margin)?.windows(2) {
+        let (from, to) = ([pair[0][0], pair[1][0]], [pair[0][1], pair[1][1]]);
+        if from[1] - from[0] < SHORT || (to[1] - to[0]).abs() < SHORT {
+            continue;
+        }
+        if let Some(gap) = compared(a, from, b, to, margin)? {
+            found.push(shared(from, to, gap));
+        }
+    }
+    Ok(found)
+}
+
+/// The ends of either curve that lie on the other, in the order of the first parameter.
+///
+/// Errors: those of projection on either curve.
+pub(super) fn ends(a: &Form, b: &Form, margin: f64) -> Result<Vec<[f64; 2]>> {
     let mut events: Vec<[f64; 2]> = feet(a, b, margin)?;
     events.extend(feet(b, a, margin)?.into_iter().map(|[t, s]| [s, t]));
     events.sort_by(|x, y| x[0].total_cmp(&y[0]));
-    let (Some(first), Some(last)) = (events.first(), events.last()) else { return Ok(None) };
-    let (from, to) = ([first[0], last[0]], [first[1], last[1]]);
-    if from[1] - from[0] < SHORT || (to[1] - to[0]).abs() < SHORT {
-        return Ok(None);
-    }
-    Ok(compared(a, from, b, to, margin)?.map(|gap| shared(from, to, gap)))
+    Ok(events)
 }
 
 /// Windows below this hold a contact, not an arc.
@@ -56,13 +68,14 @@ fn compared(a: &Form, from: [f64; 2], b: &Form, to: [f64; 2], margin: f64) -> Re
     let factor = ratios.get(1).map_or(1.0, |second| second / ratios[0]);
     let (mut expected, mut gap) = (ratios[0], 0.0_f64);
     for ((p, q), ratio) in poles().zip(&ratios) {
-        if !((ratio / expected - 1.0).abs() <= WEIGHT) {
+        let off = (ratio / expected - 1.0).abs();
+        if off.is_nan() || off > WEIGHT {
             return Ok(None);
         }
         expected *= factor;
         let offsets = p[..last].iter().zip(q).map(|(x, y)| x / p[last] - y / q[last]);
         gap = gap.max(offsets.map(|x| x * x).sum::<f64>().sqrt());
-        if !(gap <= margin) {
+        if gap.is_nan() || gap > margin {
             return Ok(None);
         }
     }

@@ -21,6 +21,7 @@ pub(super) struct Found {
 }
 
 /// A pair of parts.
+#[derive(Clone, Copy)]
 struct Pair<const D: usize, const N: usize> {
     a: Part<D, N>,
     b: Part<D, N>,
@@ -95,6 +96,7 @@ const SHARE: f64 = 0.7;
 
 impl<const D: usize, const N: usize> Task<D, N> {
     /// Settles a pair, or puts its halves in waiting.
+    #[allow(clippy::large_types_passed_by_value, reason = "it is cut in place")]
     fn settle(&self, pair: Pair<D, N>, waiting: &mut Vec<Pair<D, N>>, found: &mut Found) {
         let Pair { mut a, mut b } = pair;
         loop {
@@ -166,7 +168,8 @@ impl<const D: usize, const N: usize> Task<D, N> {
                 if sign == 0.0 {
                     sign = cross.signum();
                 }
-                if !(cross * sign > 2.0 * doubt) {
+                let clear = cross * sign > 2.0 * doubt;
+                if !clear {
                     return false;
                 }
             }

@@ -68,8 +68,9 @@ fn jet<const D: usize, const N: usize>(part: &Part<D, N>, t: f64) -> ([f64; 3], 
     let rest = 1.0 - t;
     for step in 1..last {
         for i in 0..=last - step {
-            for k in 0..D {
-                p[i][k] = rest * p[i][k] + t * p[i + 1][k];
+            let next = p[i + 1];
+            for (x, y) in p[i].iter_mut().zip(next) {
+                *x = rest * *x + t * y;
             }
         }
     }
@@ -157,7 +158,8 @@ fn proved<const D: usize, const N: usize>(
     let norm = (by_s[0].abs() + by_t[0].abs()).max(by_s[1].abs() + by_t[1].abs());
     // The inverse is off by some roundings times its condition: below a quarter here.
     let most = p.point[1] * q.weight[0] + q.point[0] * p.weight[1] + q.point[1] + p.point[1] + norm;
-    if !(inverse * most * (p.degree + q.degree + 4.0) < 1e12) {
+    let condition = inverse * most * (p.degree + q.degree + 4.0);
+    if condition.is_nan() || condition >= 1e12 {
         return None;
     }
     let roundings = f64::EPSILON * 2.0 * (p.degree + q.degree + 4.0);

@@ -40,7 +40,7 @@ fn cut(
     }
     let weights = form.weights();
     let ends = weights[0] * weights[weights.len() - 1];
-    if depth == 0 || !(ends > 0.0) {
+    if depth == 0 || ends <= 0.0 || ends.is_nan() {
         let received = format!("a weight that vanishes near {from}");
         return Err(Error::domain(name, received, "a curve that stays finite"));
     }
