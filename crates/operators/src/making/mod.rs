@@ -12,6 +12,7 @@ mod interpolating_spline;
 mod join_forms;
 mod known_nodes;
 mod least_squares;
+mod minimal;
 mod nodes;
 mod offset_poles;
 mod parallel;
@@ -36,6 +37,7 @@ pub use interpolating_spline::{
     SplineEnds, cubic_chain, interpolating_spline, quadratic_chain, spline_parameters,
 };
 pub use join_forms::{Joined, Smoothness, join_forms};
+pub use minimal::{Functional, Minimal, MinimalOptions, extremal, minimal};
 pub use nodes::Nodes;
 pub use offset_poles::offset_poles;
 pub use parallel::{Distance, Parallel, ParallelOptions, Side, parallel, shell};

@@ -207,6 +207,16 @@ impl<S: Scalar> Knots<S> {
         (span - degree..span + 1, matrix)
     }
 
+    /// For each piece its length, the first function that is not 0 on it, and a row for each of its
+    /// Bézier poles: those of the `p + 1` functions there.
+    pub(crate) fn bezier_rows(&self) -> impl Iterator<Item = (S, usize, Vec<Vec<S>>)> {
+        self.spans().into_iter().map(|span| {
+            let (poles, matrix) = self.extraction(span);
+            let rows = (0..matrix.rows()).map(|i| matrix.row(i).to_vec()).collect();
+            (self.list[span + 1].clone() - self.list[span].clone(), poles.start, rows)
+        })
+    }
+
     /// Do the poles `span − p … span` belong to the piece as they are?
     pub(super) fn is_bezier_over(&self, span: usize) -> bool {
         let degree = self.degree;

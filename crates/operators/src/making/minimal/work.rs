@@ -1,0 +1,255 @@
+//! The steps from a boundary to a surface of little area.
+
+use pforms_kernel::{Error, Form, Result};
+
+use super::area::Minimal;
+use super::boundary::Frame;
+use super::descent::Least;
+use super::metric::Metric;
+use super::patch::{Patch, Point};
+use super::units::Units;
+use super::{Functional, MinimalOptions, energy, system};
+use crate::algebra::{Poles, Spline};
+use crate::measuring::vector::{dot, plus};
+
+/// A boundary in small units, with what is known about the surfaces on it.
+pub(super) struct Work {
+    frame: Frame<f64>,
+    /// The Coons patch; none if its weights change sign.
+    coons: Option<Spline>,
+    /// Lengths of the box of parameters, along u and v.
+    sides: Vec<f64>,
+    options: MinimalOptions,
+    nodes: usize,
+}
+
+/// Nodes for each piece and axis at most.
+const NODES: usize = 96;
+
+/// Areas by two rules that differ less are taken for the same.
+const AGREE: f64 = 1e-13;
+
+/// Times the ratio of the sides is adjusted.
+const ROUNDS: usize = 40;
+
+impl Work {
+    pub(super) fn new(frame: &Frame<f64>, units: &Units, options: &MinimalOptions) -> Result<Self> {
+        let coons = frame.coons().ok().filter(|coons| Units::of(coons.net()).is_ok());
+        let coons = coons.map(|coons| units.small(&coons)).transpose()?;
+        let frame = Frame { spline: units.small(&frame.spline)?, ..frame.clone() };
+        let sides = frame.sides(&options.sides)?;
+        let mut work = Self { frame, coons, sides, options: options.clone(), nodes: 0 };
+        let most = work.frame.spline.degrees().into_iter().max().unwrap_or(0);
+        work.nodes = work.enough(most + 6, &work.frame.spline)?;
+        Ok(work)
+    }
+
+    /// How many nodes give the area of a surface, as far as the next better rule tells.
+    fn enough(&self, least: usize, surface: &Spline) -> Result<usize> {
+        let coordinates = coordinates(surface.net());
+        let mut count = least;
+        let mut area = Patch::new(surface, count).area(&coordinates);
+        while count < NODES {
+            let next = count + count / 2;
+            let better = Patch::new(surface, next).area(&coordinates);
+            if !better.is_finite() {
+                return Err(not_finite());
+            }
+            if (better - area).abs() <= AGREE * better {
+                break;
+            }
+            (count, area) = (next, better);
+        }
+        Ok(count)
+    }
+
+    /// The coordinates of poles that make a functional least.
+    pub(super) fn least(&self, functional: Functional) -> Result<Vec<f64>> {
+        let net = self.frame.spline.net();
+        if net.uniform_weight().is_some() {
+            let energy = energy(&self.frame, functional, &self.options.sides)?;
+            return Ok(coordinates(&system::least(net, &energy, &self.frame.free)?));
+        }
+        if functional == Functional::Dirichlet {
+            let patch = Patch::new(&self.frame.spline, self.nodes);
+            return self.rational(&patch, self.ratio());
+        }
+        let received = "weights that are not equal";
+        Err(Error::domain("boundary", received, "equal weights, or the Dirichlet energy or the area"))
+    }
+
+    /// The length of the box of parameters along v by that along u.
+    fn ratio(&self) -> f64 {
+        let window = |axis: usize| self.frame.spline.knots()[axis].window();
+        let scale = |axis: usize| self.sides[axis] / (window(axis).1 - window(axis).0);
+        scale(1) / scale(0)
+    }
+
+    /// The least Dirichlet energy of a rational surface: its weights stay, and so the points depend on
+    /// the coordinates linearly.
+    fn rational(&self, patch: &Patch, ratio: f64) -> Result<Vec<f64>> {
+        let rule = |_: Metric| [ratio, 0.0, 1.0 / ratio];
+        let ambient = self.frame.spline.ambient();
+        let mut all = coordinates(self.frame.spline.net());
+        let matrix = patch.matrix(&all, &self.frame.free, rule).factored()?;
+        let slope = patch.slope(&all, rule);
+        let poles = self.frame.free.iter().map(|&index| &slope[index * ambient..][..ambient]);
+        let mut step: Vec<f64> = poles.flatten().copied().collect();
+        matrix.solve(&mut step, ambient);
+        for (&index, step) in self.frame.free.iter().zip(step.chunks_exact(ambient)) {
+            let pole = &mut all[index * ambient..][..ambient];
+            pole.iter_mut().zip(step).for_each(|(x, step)| *x -= step);
+        }
+        Ok(all)
+    }
+
+    /// The coordinates of poles of least area, and the steps it took.
+    pub(super) fn descend(&self, accuracy: f64) -> Result<(Vec<f64>, usize)> {
+        let patch = Patch::new(&self.frame.spline, self.nodes);
+        let mut best = self.start(&patch)?;
+        let mut steps = 0;
+        let mut nodes = self.nodes;
+        loop {
+            let patch = Patch::new(&self.frame.spline, nodes);
+            let found = self.on(&patch).descend(best.clone(), accuracy)?;
+            steps += found.steps;
+            let surface = self.frame.spline.with_net(self.net_of(&found.coordinates)?)?;
+            let more = self.enough(nodes, &surface)?;
+            // Another rule must agree that the area became less.
+            let (before, after) = (self.area_of(&best), self.area_of(&found.coordinates));
+            if after <= before {
+                best = found.coordinates;
+            }
+            if more == nodes || found.steps == 0 {
+                return Ok((best, steps));
+            }
+            nodes = more;
+        }
+    }
+
+    fn on<'a>(&'a self, patch: &'a Patch) -> Least<'a> {
+        let ambient = self.frame.spline.ambient();
+        Least { patch, free: &self.frame.free, ambient, size: 1e-6 }
+    }
+
+    /// By the best rule there is.
+    fn area_of(&self, coordinates: &[f64]) -> f64 {
+        Patch::new(&self.frame.spline, NODES).area(coordinates)
+    }
+
+    /// The least area of the form itself, the Coons patch and surfaces of least Dirichlet energy.
+    fn start(&self, patch: &Patch) -> Result<Vec<f64>> {
+        let own = coordinates(self.frame.spline.net());
+        let mut all = self.dirichlet(patch)?;
+        if self.options.keep.is_empty() {
+            let coons = self.coons.iter().map(Spline::net);
+            let same = |net: &&Form| net.weights() == self.frame.spline.net().weights();
+            all.extend(coons.filter(same).map(coordinates));
+        } else {
+            all.push(own.clone());
+        }
+        let areas = all.into_iter().map(|poles| (patch.area(&poles), poles));
+        let least = areas.filter(|(area, _)| area.is_finite()).min_by(|a, b| a.0.total_cmp(&b.0));
+        Ok(least.map_or(own, |(_, poles)| poles))
+    }
+
+    /// Surfaces of least Dirichlet energy: on the window as it is, and on the box whose sides make the
+    /// energy least, found by turns.
+    fn dirichlet(&self, patch: &Patch) -> Result<Vec<Vec<f64>>> {
+        let mut ratio = self.ratio();
+        let mut all = vec![self.rational(patch, ratio)?];
+        for _ in 0..ROUNDS {
+            let last = &all[all.len() - 1];
+            let [along, across] =
+                [0, 1].map(|k| patch.sum(last, |point| dot(&point.slopes[k], &point.slopes[k])));
+            let next = (across / along).sqrt();
+            if !(1e-6..1e6).contains(&next) || (next / ratio - 1.0).abs() < 1e-15 {
+                break;
+            }
+            ratio = next;
+            let found = self.rational(patch, ratio)?;
+            all.truncate(1);
+            all.push(found);
+        }
+        Ok(all)
+    }
+
+    /// What is known about a surface.
+    pub(super) fn report(&self, poles: Vec<f64>, steps: usize) -> Result<Minimal> {
+        let surface = self.frame.spline.with_net(self.net_of(&poles)?)?;
+        let nodes = self.enough(self.nodes, &surface)?;
+        let patch = Patch::new(&surface, nodes);
+        let area = patch.area(&poles);
+        let better = Patch::new(&surface, nodes + nodes / 2).area(&poles);
+        let ratio = self.ratio();
+        let energy = patch.sum(&poles, |point| {
+            let [u, v] = &point.slopes;
+            (ratio * dot(u, u) + dot(v, v) / ratio) / 2.0
+        });
+        let coons_area = self.coons.as_ref().map(|coons| {
+            Patch::new(coons, nodes).area(&coordinates(coons.net()))
+        });
+        let bent = patch.sum(&poles, |point| mean_curvature(point).powi(2) * point.metric().area);
+        Ok(Minimal {
+            surface: self.frame.with(surface.net().clone())?,
+            area,
+            error: (better - area).abs(),
+            coons_area,
+            energy,
+            laplacian: self.laplacian(&patch, &poles),
+            curvature: if area > 0.0 { (bent / area).sqrt() } else { 0.0 },
+            slope: self.on(&patch).slope_at(&poles)?,
+            steps,
+        })
+    }
+
+    /// The root of the mean square of `ΔS`, over the box of parameters.
+    fn laplacian(&self, patch: &Patch, poles: &[f64]) -> f64 {
+        let window = |axis: usize| {
+            let (from, to) = self.frame.spline.knots()[axis].window();
+            to - from
+        };
+        let [u, v] = [0, 1].map(|axis| (window(axis) / self.sides[axis]).powi(2));
+        let square = patch.sum(poles, |point| {
+            let [uu, _, vv] = &point.bends;
+            uu.iter().zip(vv).map(|(a, b)| (u * a + v * b).powi(2)).sum()
+        });
+        (square / (window(0) * window(1))).sqrt()
+    }
+
+    fn net_of(&self, poles: &[f64]) -> Result<Form> {
+        let net = self.frame.spline.net();
+        let mut all = net.homogeneous().to_vec();
+        let pairs = all.chunks_exact_mut(net.width()).zip(poles.chunks_exact(net.ambient()));
+        pairs.for_each(|(pole, x)| pole[..net.ambient()].copy_from_slice(x));
+        Form::from_homogeneous(net.orders(), net.ambient(), all)
+    }
+}
+
+/// Half the trace of the second fundamental form, in any dimension: the size of its vector.
+fn mean_curvature(point: &Point<'_>) -> f64 {
+    let metric = point.metric();
+    if metric.area == 0.0 {
+        return 0.0;
+    }
+    let square = metric.area * metric.area;
+    let [uu, uv, vv] = &point.bends;
+    let trace = uu.iter().zip(uv).zip(vv);
+    let trace: Vec<f64> = trace
+        .map(|((uu, uv), vv)| (metric.g * uu - 2.0 * metric.f * uv + metric.e * vv) / square)
+        .collect();
+    let [u, v] = &point.slopes;
+    let (a, b) = (dot(&trace, u), dot(&trace, v));
+    let along = [metric.g * a - metric.f * b, metric.e * b - metric.f * a].map(|x| x / square);
+    let normal = plus(&plus(&trace, -along[0], u), -along[1], v);
+    dot(&normal, &normal).sqrt() / 2.0
+}
+
+fn coordinates(net: &Form) -> Vec<f64> {
+    let poles = net.homogeneous().chunks_exact(net.width());
+    poles.flat_map(|pole| &pole[..net.ambient()]).copied().collect()
+}
+
+fn not_finite() -> Error {
+    Error::accuracy("boundary", "an area that is not finite", "weights that do not vanish")
+}
