@@ -18,6 +18,7 @@ from pforms.records import (
     Joined,
     Length,
     Mesh,
+    Minimal,
     Network,
     Parallel,
     Pipe,
@@ -94,6 +95,7 @@ __all__ = [
     "join_forms",
     "line",
     "midpoint",
+    "minimal",
     "mirror",
     "nurbs",
     "offset_poles",
@@ -926,6 +928,36 @@ def gordon(
     accuracy: float = 1e-6,
     report: Literal[True],
 ) -> Network: ...
+@overload
+def minimal(
+    *boundary: Form | ArrayLike,
+    kind: Literal["dirichlet", "harmonic", "laplace", "area"] = "dirichlet",
+    orders: _WholePerAxis | None = None,
+    sides: _PerAxis | None = None,
+    keep: Iterable[Sequence[int]] | None = None,
+    accuracy: float = 1e-9,
+    report: Literal[False] = False,
+) -> Form: ...
+@overload
+def minimal(
+    *boundary: Form | Spline | ArrayLike | Sequence[Form | Spline | ArrayLike],
+    kind: Literal["dirichlet", "harmonic", "laplace", "area"] = "dirichlet",
+    orders: _WholePerAxis | None = None,
+    sides: _PerAxis | None = None,
+    keep: Iterable[Sequence[int]] | None = None,
+    accuracy: float = 1e-9,
+    report: Literal[False] = False,
+) -> Form | Spline: ...
+@overload
+def minimal(
+    *boundary: Form | Spline | ArrayLike | Sequence[Form | Spline | ArrayLike],
+    kind: Literal["dirichlet", "harmonic", "laplace", "area"] = "dirichlet",
+    orders: _WholePerAxis | None = None,
+    sides: _PerAxis | None = None,
+    keep: Iterable[Sequence[int]] | None = None,
+    accuracy: float = 1e-9,
+    report: Literal[True],
+) -> Minimal: ...
 def partition(a: _Number, b: _Number, r: int) -> _Array: ...
 def bernstein(n: int, i: int, t: ArrayLike) -> _Array: ...
 def pascal(n: int) -> list[int]: ...

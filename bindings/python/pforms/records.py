@@ -88,6 +88,34 @@ class Mesh(NamedTuple):
     """Three vertices for each triangle, shape (m, 3)."""
 
 
+class Minimal(NamedTuple):
+    """A surface on a given boundary, and how near it is to a minimal one.
+
+    >>> import pforms as pf
+    >>> saddle = [[(x, y, x * y) for y in (-1, 0, 1)] for x in (-1, 0, 1)]
+    >>> found = pf.minimal(saddle, report=True)
+    >>> found.surface == pf.Form(saddle), round(found.area, 6), found.laplacian
+    (True, 5.123157, 0.0)
+    """
+
+    surface: Form | Spline
+    area: float
+    error: float
+    """The true area differs by this much at most."""
+    coons_area: float | None
+    """The area of the Coons patch on the same boundary; None where its weights change sign."""
+    energy: float
+    """½∫|∇S|²: at least the area, and equal to it if the parameters keep angles."""
+    laplacian: float
+    """The root of the mean square of ΔS: 0 if the surface is harmonic."""
+    curvature: float
+    """The root of the mean square of the mean curvature: 0 if the surface is minimal."""
+    slope: float
+    """How much the area still falls with the free poles, as a part of it."""
+    steps: int
+    """Steps of a descent."""
+
+
 class Parallel(NamedTuple):
     """A parallel form, or a shell, and how near it is to the true one.
 

@@ -33,6 +33,7 @@ mod points;
 mod products;
 mod projecting;
 mod rational;
+mod relaxing;
 mod rows;
 mod sampling;
 mod settings;
@@ -92,6 +93,8 @@ mod _pforms {
         arc, bezier_cone, bezier_cylinder, bezier_sphere, bezier_torus, circle, classify, cone,
         conic, cylinder, ellipse, hyperbola, parabola, sphere, torus, torus_knot, viviani,
     };
+    #[pymodule_export]
+    use crate::relaxing::minimal;
     #[pymodule_export]
     use crate::settings::{cap, set_cap, set_threads, threads};
     #[pymodule_export]

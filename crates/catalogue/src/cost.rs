@@ -5,7 +5,7 @@
 //! and as roughly in exact mode. Rust and Python may go beyond.
 
 use pforms_kernel::{Error, Form, Kind};
-use pforms_operators::{Immersed, Knots, Shape, Spline, pointwise_work};
+use pforms_operators::{Immersed, Knots, Poles, Shape, Spline, pointwise_work};
 
 use crate::{Arithmetic, Failure};
 
@@ -138,6 +138,21 @@ pub(crate) fn require_readable(kinds: &[Kind]) -> Result<(), Failure> {
     }
     let error = Error::domain("kinds", format!("{total} poles"), format!("at most {EXPLAINED}"));
     Err(Failure::of(error, format!("genres : reçu {total} pôles, attendu au plus {EXPLAINED}")))
+}
+
+/// Passes if a linear system for the poles inside a boundary may be solved.
+pub(crate) fn require_system<S: Arithmetic>(
+    boundary: &[Shape<S>],
+    orders: &[usize],
+) -> Result<(), Failure> {
+    let mut poles: f64 = match boundary {
+        [single] => single.net().pole_count() as f64,
+        // Two faces for each axis: the product of the counts of those across two of them.
+        faces => faces.iter().map(|face| face.net().pole_count() as f64).fold(1.0, f64::max).powi(2),
+    };
+    poles = poles.max(orders.iter().map(|&order| order as f64).product());
+    let bits = boundary.iter().map(|shape| longest(shape.net().homogeneous())).fold(0.0, f64::max);
+    require::<S>(poles.powf(2.5) * long(bits))
 }
 
 fn require<S: Arithmetic>(work: f64) -> Result<(), Failure> {

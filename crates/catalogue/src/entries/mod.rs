@@ -27,6 +27,7 @@ mod piping;
 mod products;
 mod projecting;
 mod quadrics;
+mod relaxing;
 mod spanning;
 mod splining;
 mod spreading;
@@ -65,6 +66,7 @@ pub(crate) fn all() -> Vec<Operator> {
         projecting::ENTRIES,
         intersecting::ENTRIES,
         differentiating::ENTRIES,
+        relaxing::ENTRIES,
         transforming::ENTRIES,
         turning::ENTRIES,
         mirroring::ENTRIES,

@@ -12,8 +12,6 @@ use crate::measuring::vector::dot;
 pub(super) struct Descent {
     /// The coordinates of all poles.
     pub coordinates: Vec<f64>,
-    /// The slope of the area that is left, see [`Least::slope_size`].
-    pub slope: f64,
     /// Steps taken.
     pub steps: usize,
 }
@@ -77,7 +75,7 @@ impl Least<'_> {
             }
             left = self.slope_size(&state, &matrix);
         }
-        Ok(Descent { coordinates: state.coordinates, slope: left, steps })
+        Ok(Descent { coordinates: state.coordinates, steps })
     }
 
     /// The size of the slope as a part of the root of the area: `√(gᵀ·A⁻¹·g / area)`, with the matrix
@@ -104,14 +102,15 @@ impl Least<'_> {
         }
         let mut share = 1.0;
         for _ in 0..24 {
-            let next = self.state(self.moved(&state.coordinates, step, share));
-            let enough = next.area <= state.area + 1e-4 * share * fall;
-            // Where the area no longer tells, the slope does.
-            let level = next.area <= (1.0 + ROUNDING) * state.lowest
-                && dot(step, &next.slope).abs() <= -0.9 * fall;
-            if next.area.is_finite() && (enough || level) {
-                let lowest = next.area.min(state.lowest);
-                return Some(State { lowest, ..next });
+            let coordinates = self.moved(&state.coordinates, step, share);
+            let area = self.patch.area(&coordinates);
+            let enough = area <= state.area + 1e-4 * share * fall;
+            if enough || area <= (1.0 + ROUNDING) * state.lowest {
+                let next = self.state(coordinates);
+                // Where the area no longer tells, the slope does.
+                if enough || dot(step, &next.slope).abs() <= -0.9 * fall {
+                    return Some(State { lowest: area.min(state.lowest), ..next });
+                }
             }
             share /= 2.0;
         }

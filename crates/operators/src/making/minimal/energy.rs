@@ -96,19 +96,6 @@ impl<S: Scalar> Energy<S> {
         }
         Ok(sum)
     }
-
-    /// The energy of the coordinates, weights left out.
-    pub(super) fn of(&self, net: &Form<S>) -> Result<S> {
-        let gradient = self.gradient(net)?;
-        let poles = net.homogeneous().chunks_exact(net.width());
-        let mut sum = S::zero();
-        for (pole, slope) in poles.zip(gradient.chunks_exact(net.width())) {
-            for (x, g) in pole[..net.ambient()].iter().zip(slope) {
-                sum += x.clone() * g.clone();
-            }
-        }
-        Ok(sum * S::ratio(1, 2))
-    }
 }
 
 /// One axis: its knots, in units in which its window is as long as its side.

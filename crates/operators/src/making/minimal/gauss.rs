@@ -13,6 +13,22 @@ pub(super) struct Node {
     pub rows: [Vec<f64>; 3],
 }
 
+impl Node {
+    /// The poles whose functions are not 0 here.
+    pub(super) fn poles(&self) -> std::ops::Range<usize> {
+        self.first..self.first + self.rows[0].len()
+    }
+
+    /// A line of poles mixed by the functions, or their first or second derivatives.
+    pub(super) fn mix(&self, line: &[f64], derivative: usize, sum: &mut [f64]) {
+        sum.fill(0.0);
+        let poles = line[self.first * sum.len()..].chunks_exact(sum.len());
+        for (factor, pole) in self.rows[derivative].iter().zip(poles) {
+            sum.iter_mut().zip(pole).for_each(|(sum, x)| *sum += factor * x);
+        }
+    }
+}
+
 /// `count` nodes for each piece.
 pub(super) fn nodes(knots: &Knots, count: usize) -> Vec<Node> {
     let rule = rule(count);

@@ -15,17 +15,21 @@ pub(super) struct Patch {
     weights: Vec<f64>,
 }
 
-/// The surface at a node: its functions reduced to those of the last axis, and its derivatives.
+/// The surface at a node.
 pub(super) struct Point<'a> {
     /// Weight of the node.
     pub weight: f64,
     /// Derivatives by u and by v.
     pub slopes: [Vec<f64>; 2],
-    /// `uu`, `uv`, `vv`.
-    pub bends: [Vec<f64>; 3],
     w: [f64; 3],
     v: &'a Node,
+    /// Room for homogeneous points.
+    room: [Vec<f64>; 3],
 }
+
+/// Lines of poles that the functions of u at one node reduce a surface to: its values, first and
+/// second derivatives along u, homogeneous.
+type Lines = [Vec<f64>; 3];
 
 impl Patch {
     /// With `count` nodes for each piece and axis.
@@ -36,71 +40,70 @@ impl Patch {
         Self { ambient: net.ambient(), orders, lines: [u, v], weights: net.weights() }
     }
 
-    /// Walks over all nodes: `visit` gets each point and the sums of its row; after each row
-    /// `gather` gets the sums.
+    /// Walks over all nodes: `visit` gets each point, the lines it lies on, and the sums of its row;
+    /// after each row `gather` gets the sums.
     fn walk<T>(
         &self,
         coordinates: &[f64],
         mut start: impl FnMut() -> T,
-        mut visit: impl FnMut(&Point<'_>, &mut T),
+        mut visit: impl FnMut(&Point<'_>, &Lines, &mut T),
         mut gather: impl FnMut(&Node, &T),
     ) {
-        let (d, columns) = (self.ambient, self.orders[1]);
-        let width = d + 1;
+        let (d, width) = (self.ambient, self.ambient + 1);
+        let Some(first) = self.lines[1].first() else { return };
+        let mut lines = [0, 1, 2].map(|_| vec![0.0; self.orders[1] * width]);
+        let mut point = Point {
+            weight: 0.0,
+            slopes: [vec![0.0; d], vec![0.0; d]],
+            w: [0.0; 3],
+            v: first,
+            room: [0, 1, 2].map(|_| vec![0.0; width]),
+        };
         for u in &self.lines[0] {
-            let mut rows = [0, 1, 2].map(|_| vec![0.0; columns * width]);
-            for (r, row) in rows.iter_mut().enumerate() {
-                for (i, factor) in u.rows[r].iter().enumerate() {
-                    for j in 0..columns {
-                        let pole = (u.first + i) * columns + j;
-                        let target = &mut row[j * width..][..width];
-                        for (sum, x) in target.iter_mut().zip(&coordinates[pole * d..][..d]) {
-                            *sum += factor * x;
-                        }
-                        target[d] += factor * self.weights[pole];
-                    }
-                }
-            }
+            self.reduce(u, coordinates, &mut lines);
             let mut sums = start();
             for v in &self.lines[1] {
-                visit(&self.point(u, v, &rows), &mut sums);
+                point.move_to(u, v, &lines);
+                visit(&point, &lines, &mut sums);
             }
             gather(u, &sums);
         }
     }
 
-    fn point<'a>(&self, u: &Node, v: &'a Node, rows: &[Vec<f64>; 3]) -> Point<'a> {
-        let (d, width) = (self.ambient, self.ambient + 1);
-        let mixed = |r: usize, s: usize| {
-            let mut sum = vec![0.0; width];
-            for (factor, pole) in v.rows[s].iter().zip(rows[r][v.first * width..].chunks(width)) {
-                sum.iter_mut().zip(pole).for_each(|(sum, x)| *sum += factor * x);
+    fn reduce(&self, u: &Node, coordinates: &[f64], lines: &mut Lines) {
+        let (d, columns) = (self.ambient, self.orders[1]);
+        for (line, row) in lines.iter_mut().zip(&u.rows) {
+            line.fill(0.0);
+            for (i, factor) in u.poles().zip(row) {
+                let from = i * columns;
+                let poles = coordinates[from * d..(from + columns) * d].chunks_exact(d);
+                let targets = line.chunks_exact_mut(d + 1);
+                for ((target, pole), weight) in targets.zip(poles).zip(&self.weights[from..]) {
+                    target.iter_mut().zip(pole).for_each(|(sum, x)| *sum += factor * x);
+                    target[d] += factor * weight;
+                }
             }
-            sum
-        };
-        let (h, hu, hv) = (mixed(0, 0), mixed(1, 0), mixed(0, 1));
-        let w = [h[d], hu[d], hv[d]];
-        let at: Vec<f64> = h[..d].iter().map(|x| x / w[0]).collect();
-        let first = |h: &[f64]| -> Vec<f64> {
-            h[..d].iter().zip(&at).map(|(x, at)| (x - h[d] * at) / w[0]).collect()
-        };
-        let slopes = [first(&hu), first(&hv)];
-        let second = |h: &[f64], a: usize, b: usize| -> Vec<f64> {
-            let bend = |k: usize| {
-                let mixed = w[1 + a] * slopes[b][k] + w[1 + b] * slopes[a][k];
-                (h[k] - h[d] * at[k] - mixed) / w[0]
-            };
-            (0..d).map(bend).collect()
-        };
-        let bends =
-            [second(&mixed(2, 0), 0, 0), second(&mixed(1, 1), 0, 1), second(&mixed(0, 2), 1, 1)];
-        Point { weight: u.weight * v.weight, slopes, bends, w, v }
+        }
     }
 
     /// The sum over all nodes of what a rule makes of the point there.
     pub(super) fn sum(&self, coordinates: &[f64], mut rule: impl FnMut(&Point<'_>) -> f64) -> f64 {
         let mut sum = 0.0;
-        self.walk(coordinates, || (), |point, ()| sum += point.weight * rule(point), |_, ()| ());
+        self.walk(coordinates, || (), |point, _, ()| sum += point.weight * rule(point), |_, ()| ());
+        sum
+    }
+
+    /// The same for a rule that asks for second derivatives `uu`, `uv`, `vv`.
+    pub(super) fn sum_of_bends(
+        &self,
+        coordinates: &[f64],
+        mut rule: impl FnMut(&Point<'_>, &[Vec<f64>; 3]) -> f64,
+    ) -> f64 {
+        let mut sum = 0.0;
+        let visit = |point: &Point<'_>, lines: &Lines, (): &mut ()| {
+            sum += point.weight * rule(point, &point.bends(lines));
+        };
+        self.walk(coordinates, || (), visit, |_, ()| ());
         sum
     }
 
@@ -119,7 +122,7 @@ impl Patch {
         let (d, columns) = (self.ambient, self.orders[1]);
         let mut slope = vec![0.0; coordinates.len()];
         let start = || [0, 1].map(|_| vec![0.0; columns * d]);
-        let visit = |point: &Point<'_>, sums: &mut [Vec<f64>; 2]| {
+        let visit = |point: &Point<'_>, _: &Lines, sums: &mut [Vec<f64>; 2]| {
             let [uu, uv, vv] = rule(point.metric()).map(|x| x * point.weight / point.w[0]);
             let [by_u, by_v] = point.turns();
             for k in 0..d {
@@ -157,18 +160,16 @@ impl Patch {
         let square = columns * columns;
         let mut table = Table::new(self, free);
         let start = || [0, 1, 2].map(|_| vec![0.0; square]);
-        let visit = |point: &Point<'_>, sums: &mut [Vec<f64>; 3]| {
+        let mut own = Vec::new();
+        let visit = |point: &Point<'_>, _: &Lines, sums: &mut [Vec<f64>; 3]| {
             let [uu, uv, vv] = rule(point.metric()).map(|x| x * point.weight);
             let [by_u, by_v] = point.turns();
             let (values, slopes) = (&point.v.rows[0], &point.v.rows[1]);
-            let own: Vec<[f64; 3]> = values
-                .iter()
-                .zip(slopes)
-                .map(|(value, slope)| {
-                    let a = value / point.w[0];
-                    [a, -by_u * a, slope / point.w[0] - by_v * a]
-                })
-                .collect();
+            own.clear();
+            own.extend(values.iter().zip(slopes).map(|(value, slope)| {
+                let a = value / point.w[0];
+                [a, -by_u * a, slope / point.w[0] - by_v * a]
+            }));
             for (j, [a, c, b]) in own.iter().enumerate() {
                 let at = (point.v.first + j) * columns + point.v.first;
                 for (l, [a2, c2, b2]) in own.iter().enumerate() {
@@ -184,9 +185,40 @@ impl Patch {
     }
 }
 
-impl Point<'_> {
+impl<'a> Point<'a> {
+    fn move_to(&mut self, u: &Node, v: &'a Node, lines: &Lines) {
+        (self.weight, self.v) = (u.weight * v.weight, v);
+        for (room, (r, s)) in self.room.iter_mut().zip([(0, 0), (1, 0), (0, 1)]) {
+            v.mix(&lines[r], s, room);
+        }
+        let d = self.slopes[0].len();
+        self.w = [0, 1, 2].map(|k| self.room[k][d]);
+        let [at, rest @ ..] = &self.room;
+        for (slope, line) in self.slopes.iter_mut().zip(rest) {
+            let turn = line[d] / at[d];
+            for ((slope, x), at) in slope.iter_mut().zip(line).zip(at) {
+                *slope = (x - turn * at) / self.w[0];
+            }
+        }
+    }
+
     pub(super) fn metric(&self) -> Metric {
         Metric::of(&self.slopes[0], &self.slopes[1])
+    }
+
+    /// The second derivatives `uu`, `uv`, `vv`.
+    fn bends(&self, lines: &Lines) -> [Vec<f64>; 3] {
+        let d = self.slopes[0].len();
+        [(2, 0, 0, 0), (1, 1, 0, 1), (0, 2, 1, 1)].map(|(r, s, a, b)| {
+            let mut h = vec![0.0; d + 1];
+            self.v.mix(&lines[r], s, &mut h);
+            let bend = |k: usize| {
+                let at = self.room[0][k] / self.w[0];
+                let mixed = self.w[1 + a] * self.slopes[b][k] + self.w[1 + b] * self.slopes[a][k];
+                (h[k] - h[d] * at - mixed) / self.w[0]
+            };
+            (0..d).map(bend).collect()
+        })
     }
 
     /// The slopes of the weight as a part of it.

@@ -23,11 +23,11 @@ pub(super) struct Work {
     nodes: usize,
 }
 
-/// Nodes for each piece and axis at most.
+/// Nodes for each piece and axis at most, as long as a rule half as fine will not do.
 const NODES: usize = 96;
 
 /// Areas by two rules that differ less are taken for the same.
-const AGREE: f64 = 1e-13;
+const AGREE: f64 = 1e-12;
 
 /// Times the ratio of the sides is adjusted.
 const ROUNDS: usize = 40;
@@ -38,29 +38,8 @@ impl Work {
         let coons = coons.map(|coons| units.small(&coons)).transpose()?;
         let frame = Frame { spline: units.small(&frame.spline)?, ..frame.clone() };
         let sides = frame.sides(&options.sides)?;
-        let mut work = Self { frame, coons, sides, options: options.clone(), nodes: 0 };
-        let most = work.frame.spline.degrees().into_iter().max().unwrap_or(0);
-        work.nodes = work.enough(most + 6, &work.frame.spline)?;
-        Ok(work)
-    }
-
-    /// How many nodes give the area of a surface, as far as the next better rule tells.
-    fn enough(&self, least: usize, surface: &Spline) -> Result<usize> {
-        let coordinates = coordinates(surface.net());
-        let mut count = least;
-        let mut area = Patch::new(surface, count).area(&coordinates);
-        while count < NODES {
-            let next = count + count / 2;
-            let better = Patch::new(surface, next).area(&coordinates);
-            if !better.is_finite() {
-                return Err(not_finite());
-            }
-            if (better - area).abs() <= AGREE * better {
-                break;
-            }
-            (count, area) = (next, better);
-        }
-        Ok(count)
+        let nodes = 2 * frame.spline.degrees().into_iter().max().unwrap_or(0) + 8;
+        Ok(Self { frame, coons, sides, options: options.clone(), nodes })
     }
 
     /// The coordinates of poles that make a functional least.
@@ -105,36 +84,34 @@ impl Work {
 
     /// The coordinates of poles of least area, and the steps it took.
     pub(super) fn descend(&self, accuracy: f64) -> Result<(Vec<f64>, usize)> {
-        let patch = Patch::new(&self.frame.spline, self.nodes);
+        let mut nodes = self.nodes;
+        let mut patch = Patch::new(&self.frame.spline, nodes);
         let mut best = self.start(&patch)?;
         let mut steps = 0;
-        let mut nodes = self.nodes;
         loop {
-            let patch = Patch::new(&self.frame.spline, nodes);
             let found = self.on(&patch).descend(best.clone(), accuracy)?;
             steps += found.steps;
-            let surface = self.frame.spline.with_net(self.net_of(&found.coordinates)?)?;
-            let more = self.enough(nodes, &surface)?;
-            // Another rule must agree that the area became less.
-            let (before, after) = (self.area_of(&best), self.area_of(&found.coordinates));
+            nodes *= 2;
+            let finer = Patch::new(&self.frame.spline, nodes);
+            let (before, after) = (finer.area(&best), finer.area(&found.coordinates));
+            if !after.is_finite() {
+                return Err(not_finite());
+            }
+            // The finer rule must agree that the area has become less.
             if after <= before {
                 best = found.coordinates;
             }
-            if more == nodes || found.steps == 0 {
+            let same = (after - patch.area(&best)).abs() <= AGREE * after;
+            if same || found.steps == 0 || nodes > NODES {
                 return Ok((best, steps));
             }
-            nodes = more;
+            patch = finer;
         }
     }
 
     fn on<'a>(&'a self, patch: &'a Patch) -> Least<'a> {
         let ambient = self.frame.spline.ambient();
         Least { patch, free: &self.frame.free, ambient, size: 1e-6 }
-    }
-
-    /// By the best rule there is.
-    fn area_of(&self, coordinates: &[f64]) -> f64 {
-        Patch::new(&self.frame.spline, NODES).area(coordinates)
     }
 
     /// The least area of the form itself, the Coons patch and surfaces of least Dirichlet energy.
@@ -177,10 +154,13 @@ impl Work {
     /// What is known about a surface.
     pub(super) fn report(&self, poles: Vec<f64>, steps: usize) -> Result<Minimal> {
         let surface = self.frame.spline.with_net(self.net_of(&poles)?)?;
-        let nodes = self.enough(self.nodes, &surface)?;
+        let nodes = 2 * self.nodes;
         let patch = Patch::new(&surface, nodes);
         let area = patch.area(&poles);
         let better = Patch::new(&surface, nodes + nodes / 2).area(&poles);
+        if !(area.is_finite() && better.is_finite()) {
+            return Err(not_finite());
+        }
         let ratio = self.ratio();
         let energy = patch.sum(&poles, |point| {
             let [u, v] = &point.slopes;
@@ -189,7 +169,9 @@ impl Work {
         let coons_area = self.coons.as_ref().map(|coons| {
             Patch::new(coons, nodes).area(&coordinates(coons.net()))
         });
-        let bent = patch.sum(&poles, |point| mean_curvature(point).powi(2) * point.metric().area);
+        let bent = patch.sum_of_bends(&poles, |point, bends| {
+            mean_curvature(point, bends).powi(2) * point.metric().area
+        });
         Ok(Minimal {
             surface: self.frame.with(surface.net().clone())?,
             area,
@@ -210,8 +192,7 @@ impl Work {
             to - from
         };
         let [u, v] = [0, 1].map(|axis| (window(axis) / self.sides[axis]).powi(2));
-        let square = patch.sum(poles, |point| {
-            let [uu, _, vv] = &point.bends;
+        let square = patch.sum_of_bends(poles, |_, [uu, _, vv]| {
             uu.iter().zip(vv).map(|(a, b)| (u * a + v * b).powi(2)).sum()
         });
         (square / (window(0) * window(1))).sqrt()
@@ -227,13 +208,12 @@ impl Work {
 }
 
 /// Half the trace of the second fundamental form, in any dimension: the size of its vector.
-fn mean_curvature(point: &Point<'_>) -> f64 {
+fn mean_curvature(point: &Point<'_>, [uu, uv, vv]: &[Vec<f64>; 3]) -> f64 {
     let metric = point.metric();
     if metric.area == 0.0 {
         return 0.0;
     }
     let square = metric.area * metric.area;
-    let [uu, uv, vv] = &point.bends;
     let trace = uu.iter().zip(uv).zip(vv);
     let trace: Vec<f64> = trace
         .map(|((uu, uv), vv)| (metric.g * uu - 2.0 * metric.f * uv + metric.e * vv) / square)
