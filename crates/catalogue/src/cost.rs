@@ -148,7 +148,9 @@ pub(crate) fn require_system<S: Arithmetic>(
     let mut poles: f64 = match boundary {
         [single] => single.net().pole_count() as f64,
         // Two faces for each axis: the product of the counts of those across two of them.
-        faces => faces.iter().map(|face| face.net().pole_count() as f64).fold(1.0, f64::max).powi(2),
+        faces => {
+            faces.iter().map(|face| face.net().pole_count() as f64).fold(1.0, f64::max).powi(2)
+        }
     };
     poles = poles.max(orders.iter().map(|&order| order as f64).product());
     let bits = boundary.iter().map(|shape| longest(shape.net().homogeneous())).fold(0.0, f64::max);

@@ -56,10 +56,7 @@ pub(super) static ENTRIES: &[Operator] = &[Operator {
         Parameter::new(
             Takes::Form,
             words("boundary", "bord"),
-            words(
-                "One form, or two faces for each axis.",
-                "Une forme, ou deux faces par axe.",
-            ),
+            words("One form, or two faces for each axis.", "Une forme, ou deux faces par axe."),
         )
         .variadic(),
         Parameter::new(

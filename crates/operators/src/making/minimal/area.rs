@@ -74,7 +74,10 @@ pub fn minimal(
     let units = Units::of(frame.spline.net())?;
     let work = Work::new(&frame, &units, options)?;
     let (poles, steps) = match functional {
-        None => work.descend(accuracy)?,
+        None => {
+            let (poles, steps) = work.descend(accuracy)?;
+            (work.lowest(poles)?, steps)
+        }
         Some(functional) => (work.least(functional)?, 0),
     };
     let found = work.report(poles, steps)?;

@@ -114,11 +114,7 @@ impl Patch {
 
     /// The slope, by the coordinates of all poles, of the energy of which `rule` gives the
     /// symmetric matrix `(uu, uv, vv)` at a point.
-    pub(super) fn slope(
-        &self,
-        coordinates: &[f64],
-        rule: impl Fn(Metric) -> [f64; 3],
-    ) -> Vec<f64> {
+    pub(super) fn slope(&self, coordinates: &[f64], rule: impl Fn(Metric) -> [f64; 3]) -> Vec<f64> {
         let (d, columns) = (self.ambient, self.orders[1]);
         let mut slope = vec![0.0; coordinates.len()];
         let start = || [0, 1].map(|_| vec![0.0; columns * d]);

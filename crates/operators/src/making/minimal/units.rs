@@ -76,7 +76,11 @@ impl Units {
         if numbers.iter().all(|x| x.is_finite()) {
             return Ok(found);
         }
-        Err(Error::accuracy("boundary", "areas beyond the range of numbers", "a smaller unit of length"))
+        Err(Error::accuracy(
+            "boundary",
+            "areas beyond the range of numbers",
+            "a smaller unit of length",
+        ))
     }
 }
 

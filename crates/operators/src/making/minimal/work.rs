@@ -9,8 +9,9 @@ use super::metric::Metric;
 use super::patch::{Patch, Point};
 use super::units::Units;
 use super::{Functional, MinimalOptions, energy, system};
-use crate::algebra::{Poles, Spline};
+use crate::algebra::{Poles, Shape, Spline};
 use crate::measuring::vector::{dot, plus};
+use crate::measuring::{Measure, area};
 
 /// A boundary in small units, with what is known about the surfaces on it.
 pub(super) struct Work {
@@ -28,6 +29,9 @@ const NODES: usize = 96;
 
 /// Areas by two rules that differ less are taken for the same.
 const AGREE: f64 = 1e-12;
+
+/// Accuracies that are asked for in turn, as parts of an area.
+const ACCURACIES: [f64; 4] = [1e-12, 1e-9, 1e-6, 1e-3];
 
 /// Times the ratio of the sides is adjusted.
 const ROUNDS: usize = 40;
@@ -54,7 +58,11 @@ impl Work {
             return self.rational(&patch, self.ratio());
         }
         let received = "weights that are not equal";
-        Err(Error::domain("boundary", received, "equal weights, or the Dirichlet energy or the area"))
+        Err(Error::domain(
+            "boundary",
+            received,
+            "equal weights, or the Dirichlet energy or the area",
+        ))
     }
 
     /// The length of the box of parameters along v by that along u.
@@ -109,6 +117,30 @@ impl Work {
         }
     }
 
+    /// Of the poles that a descent found, the Coons patch and the surface of least Dirichlet energy those
+    /// whose area, as it will be reported, is least.
+    pub(super) fn lowest(&self, found: Vec<f64>) -> Result<Vec<f64>> {
+        let mut all = vec![found];
+        all.push(self.least(Functional::Dirichlet)?);
+        if self.options.keep.is_empty() {
+            all.extend(self.on_same_weights().map(coordinates));
+        }
+        let mut best: Option<(f64, Vec<f64>)> = None;
+        for poles in all {
+            let area = certified(&self.frame.spline.with_net(self.net_of(&poles)?)?)?.value;
+            if best.as_ref().is_none_or(|(least, _)| area < *least) {
+                best = Some((area, poles));
+            }
+        }
+        best.map(|(_, poles)| poles).ok_or_else(not_finite)
+    }
+
+    /// The net of the Coons patch, if only coordinates tell it from others.
+    fn on_same_weights(&self) -> Option<&Form> {
+        let net = self.coons.as_ref().map(Spline::net)?;
+        (net.weights() == self.frame.spline.net().weights()).then_some(net)
+    }
+
     fn on<'a>(&'a self, patch: &'a Patch) -> Least<'a> {
         let ambient = self.frame.spline.ambient();
         Least { patch, free: &self.frame.free, ambient, size: 1e-6 }
@@ -119,9 +151,7 @@ impl Work {
         let own = coordinates(self.frame.spline.net());
         let mut all = self.dirichlet(patch)?;
         if self.options.keep.is_empty() {
-            let coons = self.coons.iter().map(Spline::net);
-            let same = |net: &&Form| net.weights() == self.frame.spline.net().weights();
-            all.extend(coons.filter(same).map(coordinates));
+            all.extend(self.on_same_weights().map(coordinates));
         } else {
             all.push(own.clone());
         }
@@ -154,29 +184,23 @@ impl Work {
     /// What is known about a surface.
     pub(super) fn report(&self, poles: Vec<f64>, steps: usize) -> Result<Minimal> {
         let surface = self.frame.spline.with_net(self.net_of(&poles)?)?;
-        let nodes = 2 * self.nodes;
-        let patch = Patch::new(&surface, nodes);
-        let area = patch.area(&poles);
-        let better = Patch::new(&surface, nodes + nodes / 2).area(&poles);
-        if !(area.is_finite() && better.is_finite()) {
-            return Err(not_finite());
-        }
+        let measured = certified(&surface)?;
+        let patch = Patch::new(&surface, 2 * self.nodes);
         let ratio = self.ratio();
         let energy = patch.sum(&poles, |point| {
             let [u, v] = &point.slopes;
             (ratio * dot(u, u) + dot(v, v) / ratio) / 2.0
         });
-        let coons_area = self.coons.as_ref().map(|coons| {
-            Patch::new(coons, nodes).area(&coordinates(coons.net()))
-        });
+        let coons = self.coons.as_ref().map(certified).transpose()?;
+        let area = measured.value;
         let bent = patch.sum_of_bends(&poles, |point, bends| {
             mean_curvature(point, bends).powi(2) * point.metric().area
         });
         Ok(Minimal {
             surface: self.frame.with(surface.net().clone())?,
             area,
-            error: (better - area).abs(),
-            coons_area,
+            error: measured.error,
+            coons_area: coons.map(|coons| coons.value),
             energy,
             laplacian: self.laplacian(&patch, &poles),
             curvature: if area > 0.0 { (bent / area).sqrt() } else { 0.0 },
@@ -223,6 +247,19 @@ fn mean_curvature(point: &Point<'_>, [uu, uv, vv]: &[Vec<f64>; 3]) -> f64 {
     let along = [metric.g * a - metric.f * b, metric.e * b - metric.f * a].map(|x| x / square);
     let normal = plus(&plus(&trace, -along[0], u), -along[1], v);
     dot(&normal, &normal).sqrt() / 2.0
+}
+
+/// The area with a proved bound: as near as can be had, since near folds it is dear.
+fn certified(surface: &Spline) -> Result<Measure> {
+    let shape = [Shape::from(surface.clone())];
+    let mut found = area(&shape, ACCURACIES[0]);
+    for accuracy in &ACCURACIES[1..] {
+        if !matches!(found, Err(Error::Accuracy { .. } | Error::Limit { .. })) {
+            break;
+        }
+        found = area(&shape, *accuracy);
+    }
+    found
 }
 
 fn coordinates(net: &Form) -> Vec<f64> {
