@@ -150,6 +150,8 @@ def differentiated(result, source, *cells):
     matrix = sheet.sensitivities(result, source).toarray()
     rows = [row[0] if row.size == 1 else row for row in matrix]
     return rows[0] if len(rows) == 1 else rows
+
+
 def little_area(*boundary, part="surface", **more):
     found = pf.minimal(*boundary, report=part != "surface", **more)
     return found if part == "surface" else getattr(found, {"coons": "coons_area"}.get(part, part))

@@ -1,6 +1,6 @@
 //! Surfaces of little area on a boundary.
 
-use pforms_kernel::Rational;
+use pforms_kernel::{Rational, Traced};
 use pforms_operators::{self as operators, Functional, MinimalOptions, Poles, Shape};
 
 use super::{Outcome, PLAIN, part};
@@ -110,7 +110,7 @@ pub(super) static ENTRIES: &[Operator] = &[Operator {
               [(0, 0, 0), (0, 1, -1), (0, 2, 0)], [(2, 0, 0), (2, 1, -1), (2, 2, 0)])",
     source: "book 0233, 37; Monterde 2004",
     see: &["coons", "unroll"],
-    call: Call { floating, exact: Some(linear::<Rational>) },
+    call: Call { floating, exact: Some(linear::<Rational>), traced: Some(linear::<Traced>) },
     ..PLAIN
 }];
 
