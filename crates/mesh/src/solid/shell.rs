@@ -1,0 +1,112 @@
+//! Patches and meshes to closed shells that know their outside.
+
+use pforms_kernel::{Error, Form, Result};
+
+use super::bound::{size, volume_error};
+use super::zip::zipped;
+use super::Solid;
+use crate::edges::{borders, open, oriented};
+use crate::mesh::volume;
+use crate::pieces::{ball, finite_pieces};
+use crate::space::embed;
+use crate::vector::{Vec3, cross, norm, subtract};
+use crate::weld::welded;
+use crate::{Mesh, Sampling, facets};
+
+/// A volume below this share of size times area is nothing but rounding.
+const FLAT: f64 = 1e-13;
+
+/// The shell of patches that meet within half the accuracy, meshed within the other half.
+pub(super) fn of_patches(patches: &[Form], accuracy: f64, name: &str) -> Result<Solid> {
+    let mut pieces = Vec::new();
+    for patch in patches {
+        pieces.extend(finite_pieces(&embed(patch)?)?);
+    }
+    let (_, radius) = ball(&pieces);
+    if radius == 0.0 {
+        return Err(Error::degenerate(name, "a single point", "a shell with a volume"));
+    }
+    let tolerance = accuracy * radius;
+    let meshes = facets(patches, &Sampling::Tolerance(tolerance))?;
+    let (mut places, mut triangles) = (Vec::new(), Vec::new());
+    for mesh in meshes {
+        let shift = places.len() as u32;
+        places.extend(mesh.positions);
+        triangles.extend(mesh.indices.iter().map(|corners| corners.map(|k| k + shift)));
+    }
+    let (places, triangles) = welded(&places, &triangles);
+    let (places, mut triangles, moved) = zipped(places, triangles, tolerance);
+    require_closed(&places, borders(&triangles), tolerance, name)?;
+    let Some(parts) = oriented(&mut triangles) else {
+        return Err(Error::shape(name, "a surface of one side", "a shell with an inside"));
+    };
+    for part in parts {
+        let own: Vec<[u32; 3]> = part.iter().map(|number| triangles[*number]).collect();
+        if volume(&places, &own) < 0.0 {
+            part.iter().for_each(|number| triangles[*number].swap(1, 2));
+        }
+    }
+    require_closed(&places, open(&triangles), tolerance, name)?;
+    require_volume(&places, &triangles, name)?;
+    let distance = tolerance + moved;
+    let volume_error = volume_error(&places, &triangles, distance);
+    Ok(Solid { mesh: Mesh::of_space(places, triangles)?, distance, volume_error })
+}
+
+/// The shell of a mesh; nothing for an empty one.
+///
+/// Hollows, which are turned inwards, stay hollow; a mesh that is inside out as a whole is turned.
+pub(super) fn of_mesh(mesh: &Mesh, name: &str) -> Result<Option<Solid>> {
+    if mesh.ambient() != 3 {
+        let received = format!("a mesh in dimension {}", mesh.ambient());
+        return Err(Error::shape(name, received, "a closed mesh in space"));
+    }
+    if mesh.vertex_count() == 0 {
+        return Ok(None);
+    }
+    if mesh.is_cloud() {
+        return Err(Error::shape(name, "a cloud of points", "a closed mesh in space"));
+    }
+    let (places, mut triangles) = welded(&mesh.places(), mesh.triangles());
+    require_closed(&places, borders(&triangles), 0.0, name)?;
+    if !open(&triangles).is_empty() && oriented(&mut triangles).is_none() {
+        return Err(Error::shape(name, "a surface of one side", "a shell with an inside"));
+    }
+    require_closed(&places, open(&triangles), 0.0, name)?;
+    if volume(&places, &triangles) < 0.0 {
+        triangles.iter_mut().for_each(|corners| corners.swap(1, 2));
+    }
+    require_volume(&places, &triangles, name)?;
+    let volume_error = volume_error(&places, &triangles, 0.0);
+    Ok(Some(Solid { mesh: Mesh::of_space(places, triangles)?, distance: 0.0, volume_error }))
+}
+
+/// Complains about edges without a neighbour, telling how many there are and where one is.
+fn require_closed(
+    places: &[Vec3],
+    open: Vec<([u32; 2], usize)>,
+    gap: f64,
+    name: &str,
+) -> Result<()> {
+    let Some(([a, b], _)) = open.first() else { return Ok(()) };
+    let [a, b] = [*a, *b].map(|vertex| places[vertex as usize]);
+    let middle = [0, 1, 2].map(|k| format!("{:.4}", a[k] / 2.0 + b[k] / 2.0)).join(", ");
+    let received =
+        format!("an open shell: {} edges without a neighbour, one near ({middle})", open.len());
+    let within = if gap > 0.0 { format!(", patches that meet within {gap:.1e}") } else { String::new() };
+    Err(Error::shape(name, received, format!("a closed shell{within}")))
+}
+
+fn require_volume(places: &[Vec3], triangles: &[[u32; 3]], name: &str) -> Result<()> {
+    let area: f64 = triangles
+        .iter()
+        .map(|corners| {
+            let [a, b, c] = corners.map(|vertex| places[vertex as usize]);
+            norm(cross(subtract(b, a), subtract(c, a))) / 2.0
+        })
+        .sum();
+    if volume(places, triangles).abs() > FLAT * size(places) * area {
+        return Ok(());
+    }
+    Err(Error::degenerate(name, "a shell without a volume", "one that holds something"))
+}
