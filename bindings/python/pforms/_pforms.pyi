@@ -24,6 +24,7 @@ from pforms.records import (
     Pipe,
     Projection,
     Simplified,
+    Solid,
     UnitSpeed,
     Unrolling,
 )
@@ -779,6 +780,31 @@ def grid(
     normals: Literal[True],
     out: tuple[_Array, _Array] | None = None,
 ) -> tuple[_Array, _Array]: ...
+
+_Solid: TypeAlias = Form | Spline | Mesh | Sequence[Any]
+
+@overload
+def union(
+    *solids: _Solid, accuracy: _Number = 1e-3, report: Literal[False] = False
+) -> Mesh: ...
+@overload
+def union(*solids: _Solid, accuracy: _Number = 1e-3, report: Literal[True]) -> Solid: ...
+@overload
+def difference(
+    *solids: _Solid, accuracy: _Number = 1e-3, report: Literal[False] = False
+) -> Mesh: ...
+@overload
+def difference(*solids: _Solid, accuracy: _Number = 1e-3, report: Literal[True]) -> Solid: ...
+@overload
+def common(
+    *solids: _Solid, accuracy: _Number = 1e-3, report: Literal[False] = False
+) -> Mesh: ...
+@overload
+def common(*solids: _Solid, accuracy: _Number = 1e-3, report: Literal[True]) -> Solid: ...
+def _make_mesh(vertices: ArrayLike, triangles: ArrayLike) -> Mesh: ...
+def _mesh_area(mesh: Mesh) -> float: ...
+def _mesh_volume(mesh: Mesh) -> float: ...
+def _mesh_is_closed(mesh: Mesh) -> bool: ...
 
 # Of a curve a Polyline: what a form is, its type does not tell.
 @overload

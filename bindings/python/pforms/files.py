@@ -10,6 +10,8 @@ from pforms._pforms import Form, Sheet, Spline, _draw_forms, _read_forms, _write
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
+    from pforms.records import Mesh
+
 _Path: TypeAlias = str | os.PathLike[str]
 
 
@@ -67,18 +69,18 @@ def save(what: Form | Spline | Iterable[Form | Spline] | Sheet, path: _Path) -> 
 
 
 def draw(
-    what: _Path | Form | Spline | Iterable[Form | Spline] | Sheet,
+    what: _Path | Form | Spline | Mesh | Iterable[Form | Spline | Mesh] | Sheet,
     out: _Path,
     *,
     axes: bool = True,
     camera: dict[str, Any] | None = None,
     **style: Any,  # noqa: ANN401
 ) -> None:
-    """Draws forms, a sheet or a file of them into ``.glb``, ``.obj``, ``.stl`` or ``.pov``.
+    """Draws forms, meshes, a sheet or a file of forms into ``.glb``, ``.obj``, ``.stl`` or ``.pov``.
 
     Parameters
     ----------
-    what : path, Form, Spline, iterable of them, or Sheet
+    what : path, Form, Spline, Mesh, iterable of them, or Sheet
         A sheet is drawn as it says, with its styles and its camera.
     out : path
         The file to write; beside an OBJ stands one with its colours.

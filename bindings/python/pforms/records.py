@@ -6,9 +6,10 @@ from typing import TYPE_CHECKING, NamedTuple
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, KeysView
+    from os import PathLike
 
     from numpy import bool_, float64, int32, int64, uint8
-    from numpy.typing import NDArray
+    from numpy.typing import ArrayLike, NDArray
 
     from pforms._pforms import Form, Spline
 
@@ -69,9 +70,10 @@ class Fit(NamedTuple):
 
 
 class Mesh(NamedTuple):
-    """Triangles that share vertices.
+    """Triangles that share vertices; without any, a cloud of points.
 
-    Seen from where the normals point, the corners of a triangle run counter-clockwise.
+    Seen from where the normals point, the corners of a triangle run counter-clockwise. What asks
+    for a mesh takes any object with ``vertices`` and ``triangles``; :meth:`of` makes one of arrays.
 
     >>> import pforms as pf
     >>> facet = pf.Form([[(0, 0, 0), (0, 1, 0)], [(1, 0, 0), (1, 1, 0)]])
@@ -81,11 +83,61 @@ class Mesh(NamedTuple):
     """
 
     vertices: NDArray[float64]
-    """Points of the form, shape (n, 3)."""
+    """Points, shape (n, 3), in the plane or elsewhere (n, c)."""
     normals: NDArray[float64]
-    """The unit normal at each vertex, shape (n, 3)."""
+    """The unit normal at each vertex, shape (n, 3), or none: shape (0, c)."""
     triangles: NDArray[int32]
     """Three vertices for each triangle, shape (m, 3)."""
+
+    @classmethod
+    def of(cls, vertices: ArrayLike, triangles: ArrayLike = ()) -> Mesh:
+        """A mesh of arrays, without normals.
+
+        >>> import pforms as pf
+        >>> corners = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]
+        >>> simplex = pf.Mesh.of(corners, [(0, 2, 1), (0, 1, 3), (1, 2, 3), (0, 3, 2)])
+        >>> simplex
+        <pforms.Mesh of 4 vertices, 4 triangles>
+        >>> simplex.is_closed, round(6 * simplex.volume, 15)
+        (True, 1.0)
+        """
+        from pforms._pforms import _make_mesh
+
+        return _make_mesh(vertices, triangles)
+
+    @property
+    def area(self) -> float:
+        """The area of all triangles."""
+        from pforms._pforms import _mesh_area
+
+        return _mesh_area(self)
+
+    @property
+    def volume(self) -> float:
+        """The volume inside; raises ShapeError unless the mesh is closed."""
+        from pforms._pforms import _mesh_volume
+
+        return _mesh_volume(self)
+
+    @property
+    def is_closed(self) -> bool:
+        """Does every edge have a triangle on either side? Vertices at one place count as one."""
+        from pforms._pforms import _mesh_is_closed
+
+        return _mesh_is_closed(self)
+
+    def save(self, path: str | PathLike[str]) -> None:
+        """Writes the triangles into a file, ``.obj``, ``.stl``, ``.glb`` or ``.pov``.
+
+        Raises FormatError when its name ends in something else.
+        """
+        from pforms.files import draw
+
+        draw(self, path, axes=False)
+
+    def __repr__(self) -> str:
+        """How many there are of what."""
+        return f"<pforms.Mesh of {len(self.vertices)} vertices, {len(self.triangles)} triangles>"
 
 
 class Minimal(NamedTuple):
@@ -389,6 +441,25 @@ class Unrolling(NamedTuple):
     """Of an angle between two directions, in radians."""
     area: float
     """Of an area: how much its ratio differs from 1."""
+
+
+class Solid(NamedTuple):
+    """A combination of solids, and how near it is to the true one.
+
+    >>> import pforms as pf
+    >>> box = pf.union(pf.cube((0, 0, 0), (1, 2, 3)), report=True)
+    >>> round(box.volume, 12), box.mesh
+    (6.0, <pforms.Mesh of 8 vertices, 12 triangles>)
+    """
+
+    mesh: Mesh
+    """Closed; empty if there is nothing."""
+    volume: float
+    """That of the mesh."""
+    error: float
+    """The true volume differs from it by no more than this."""
+    distance: float
+    """No point of a surface that was given is farther from its mesh than this."""
 
 
 class Simplified(NamedTuple):

@@ -3,13 +3,15 @@
 use pforms_catalogue::{Arithmetic, Value};
 use pforms_formats::{Format, obj, write_scene};
 use pforms_kernel::{Error, Result};
+use pforms_mesh::Mesh;
+use pforms_operators::Shape;
 use pforms_scene::{Camera, Scene, Shapes, Style};
 use pforms_sheet::{Settings, Sheet};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 
-use crate::errors::{done, raised};
-use crate::shapes;
+use crate::errors::{done, mistyped, raised};
+use crate::{meshes, shapes};
 
 /// What was asked about a picture.
 #[derive(FromPyObject)]
@@ -79,20 +81,42 @@ pub(crate) fn picture<'py>(
     Ok(files.iter().map(|bytes| PyBytes::new(py, bytes)).collect())
 }
 
-/// The picture of some forms in one style.
+/// The forms and the meshes that are given, one or a list of both.
+fn drawable(what: &Bound<'_, PyAny>) -> PyResult<(Vec<Shape>, Vec<Mesh>)> {
+    if meshes::is_mesh(what) {
+        return Ok((Vec::new(), vec![meshes::read("what", what)?]));
+    }
+    if shapes::is_shape(what) || what.try_iter().is_err() {
+        return Ok((shapes::list("what", what)?, Vec::new()));
+    }
+    let (mut list, mut found) = (Vec::new(), Vec::new());
+    for item in what.try_iter()? {
+        let item = item?;
+        if meshes::is_mesh(&item) {
+            found.push(meshes::read("what", &item)?);
+        } else if shapes::is_shape(&item) {
+            list.push(shapes::read("what", &item)?);
+        } else {
+            return Err(mistyped("what", &item, "a pforms.Form, a pforms.Spline or a pforms.Mesh"));
+        }
+    }
+    Ok((list, found))
+}
+
+/// The picture of some forms and meshes in one style.
 #[pyfunction]
 pub(crate) fn _draw_forms<'py>(
     forms: &Bound<'py, PyAny>,
     look: &Bound<'py, PyAny>,
 ) -> PyResult<Vec<Bound<'py, PyBytes>>> {
-    let list = shapes::list("what", forms)?;
-    if list.is_empty() {
+    let (list, meshes) = drawable(forms)?;
+    if list.is_empty() && meshes.is_empty() {
         return Err(raised(&Error::shape("what", "no forms", "at least one form")));
     }
     picture(look, |look| {
         let none = Settings::new();
         let mut scene = Scene { camera: look.camera(&none)?, ..Scene::default() };
-        scene.add("form", &Shapes::of_all(list), look.style(&none)?)?;
+        scene.add("form", &Shapes::of_all(list).with(meshes), look.style(&none)?)?;
         Ok(scene)
     })
 }

@@ -24,6 +24,7 @@ mod joining;
 mod lengths;
 mod making;
 mod measuring;
+mod meshes;
 mod offsetting;
 mod operators;
 mod outputs;
@@ -40,6 +41,7 @@ mod settings;
 mod shapes;
 mod sheet;
 mod slices;
+mod solids;
 mod spanning;
 mod spline;
 mod spline_methods;
@@ -81,6 +83,8 @@ mod _pforms {
     #[pymodule_export]
     use crate::making::{fit, interpolate};
     #[pymodule_export]
+    use crate::meshes::{_make_mesh, _mesh_area, _mesh_is_closed, _mesh_volume};
+    #[pymodule_export]
     use crate::offsetting::{
         is_developable, offset_poles, parallel, shell, tangent_developable, unroll,
     };
@@ -99,6 +103,8 @@ mod _pforms {
     use crate::settings::{cap, set_cap, set_threads, threads};
     #[pymodule_export]
     use crate::sheet::PySheet;
+    #[pymodule_export]
+    use crate::solids::{common, difference, union};
     #[pymodule_export]
     use crate::spanning::{coons, gordon};
     #[pymodule_export]

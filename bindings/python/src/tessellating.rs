@@ -227,13 +227,16 @@ impl Drawn {
 }
 
 /// An array of shape (n, 3).
-fn rows(py: Python<'_>, list: Vec<[f64; 3]>) -> PyResult<Bound<'_, PyAny>> {
+pub(crate) fn rows(py: Python<'_>, list: Vec<[f64; 3]>) -> PyResult<Bound<'_, PyAny>> {
     let shape = [list.len(), 3];
     Ok(PyArray1::from_vec(py, list.into_flattened()).reshape(shape)?.into_any())
 }
 
 /// An array of signed numbers of shape (n, N): their bits are the same below 2³¹.
-fn signed<const N: usize>(py: Python<'_>, list: Vec<[u32; N]>) -> PyResult<Bound<'_, PyAny>> {
+pub(crate) fn signed<const N: usize>(
+    py: Python<'_>,
+    list: Vec<[u32; N]>,
+) -> PyResult<Bound<'_, PyAny>> {
     let shape = [list.len(), N];
     let array = PyArray1::from_vec(py, list.into_flattened()).reshape(shape)?;
     array.call_method1(intern!(py, "view"), (intern!(py, "int32"),))

@@ -70,6 +70,7 @@ pub(crate) fn shown<S: Shown>(py: Python<'_>, value: Value<S>) -> PyResult<Bound
         Value::Form(form) => S::form(py, form),
         Value::Spline(pieces) => S::pieces(py, pieces),
         Value::Immersed(lazy) => S::immersed(py, lazy),
+        Value::Mesh(mesh) => crate::meshes::record(py, &mesh),
         Value::List(items) => {
             let list = PyList::empty(py);
             for item in items {

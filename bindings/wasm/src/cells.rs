@@ -90,6 +90,7 @@ fn sort(value: &Value) -> &'static str {
         Value::Boolean(_) => "boolean",
         Value::Text(_) => "text",
         Value::Form(_) | Value::Spline(_) | Value::Immersed(_) => "form",
+        Value::Mesh(_) => "mesh",
         Value::List(_) => "list",
         Value::Record(_) => "record",
         Value::Error(_) => "error",

@@ -18,13 +18,18 @@ fn gather(value: &Value, found: &mut Vec<Mode>) {
         Value::Spline(pieces) => add(pieces.net(), found),
         // An inner form has the axes of the composition.
         Value::Immersed(lazy) => add(lazy.inner(), found),
+        Value::Mesh(mesh) => add_all(Mode::suiting_mesh(mesh), found),
         Value::List(items) => items.iter().for_each(|item| gather(item, found)),
         _ => {}
     }
 }
 
 fn add(form: &Form, found: &mut Vec<Mode>) {
-    for mode in Mode::suiting(form) {
+    add_all(Mode::suiting(form), found);
+}
+
+fn add_all(modes: &[Mode], found: &mut Vec<Mode>) {
+    for mode in modes {
         if !found.contains(mode) {
             found.push(*mode);
         }

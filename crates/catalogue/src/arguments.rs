@@ -118,7 +118,16 @@ fn first_failure<S: Arithmetic>(value: &Value<S>) -> Option<&Failure> {
 fn values_of<S: Arithmetic>(parameter: &Parameter, arguments: Vec<Positional<S>>) -> Vec<Value<S>> {
     match parameter.takes {
         Takes::List | Takes::Numbers => arguments.into_iter().map(|a| a.value).collect(),
+        Takes::Solid => arguments.into_iter().flat_map(cells).collect(),
         _ => spread(arguments),
+    }
+}
+
+/// The cells of a range, each a value; anything else as it is, lists too.
+fn cells<S: Arithmetic>(argument: Positional<S>) -> Vec<Value<S>> {
+    match argument.value {
+        Value::List(items) if argument.range => items,
+        value => vec![value],
     }
 }
 

@@ -1,6 +1,7 @@
 //! The short text of a value, as a cell shows it.
 
 use pforms_kernel::{Form, Scalar};
+use pforms_mesh::Mesh;
 
 use crate::{Arithmetic, Language, Value};
 
@@ -32,6 +33,7 @@ impl<S: Arithmetic> Value<S> {
                 let word = pick(language, "not expanded", "non développée");
                 format!("{} · {}D · {word}", lazy.kind(), lazy.host().ambient())
             }
+            Self::Mesh(mesh) => of_mesh(&self.kind(language), mesh, language),
             Self::List(items) => list(items, language, LEVELS),
             Self::Record(entries) => {
                 let entry = |(name, value): &(crate::Words, Self)| {
@@ -89,6 +91,19 @@ fn of_form<S: Scalar>(kind: &str, form: &Form<S>, language: Language) -> String 
     } else {
         text
     }
+}
+
+/// `mesh · 254 vertices · 504 triangles`, `cloud · 2D · 1000 points`.
+fn of_mesh(kind: &str, mesh: &Mesh, language: Language) -> String {
+    let (vertices, triangles) = (mesh.vertex_count(), mesh.triangles().len());
+    if vertices == 0 {
+        return kind.to_owned();
+    }
+    if mesh.is_cloud() {
+        return format!("{kind} · {}D · {vertices} points", mesh.ambient());
+    }
+    let word = pick(language, "vertices", "sommets");
+    format!("{kind} · {vertices} {word} · {triangles} triangles")
 }
 
 /// A point as the formula language writes it, the weight set off by a semicolon.

@@ -11,7 +11,8 @@ impl<S: Arithmetic> Value<S> {
     ///
     /// Numbers are numbers, or strings such as `"1/3"` in exact mode. A form is an object with
     /// `kind`, `orders`, `ambient`, `rational` and `poles`: homogeneous, nested by axis, the
-    /// weight last; a spline has `piecewise`, `degrees` and `knots` beside those of its net. An error is `{"error": {family, message, hint, origin}}`.
+    /// weight last; a spline has `piecewise`, `degrees` and `knots` beside those of its net.
+    /// A mesh has `kind`, `ambient`, `vertices` and `triangles`. An error is `{"error": {family, message, hint, origin}}`.
     pub fn to_json(&self) -> Json {
         match self {
             Self::Empty => Json::Null,
@@ -33,6 +34,12 @@ impl<S: Arithmetic> Value<S> {
                 "orders": lazy.forecast().orders,
                 "host": of_form(lazy.host()),
                 "inner": of_form(lazy.inner()),
+            }),
+            Self::Mesh(mesh) => json!({
+                "kind": self.kind(Language::English),
+                "ambient": mesh.ambient(),
+                "vertices": mesh.vertices().chunks_exact(mesh.ambient()).collect::<Vec<_>>(),
+                "triangles": mesh.triangles(),
             }),
             Self::List(items) => items.iter().map(Self::to_json).collect(),
             Self::Record(entries) => entries

@@ -27,6 +27,8 @@ pub enum Takes {
     Point,
     /// A form, or a nested list of points.
     Form,
+    /// A closed surface, a list of its patches, a volume or a mesh.
+    Solid,
     /// A list.
     List,
     /// A record.
@@ -51,6 +53,10 @@ impl Takes {
             Self::Text => words("a text", "un texte"),
             Self::Point => words("a point", "un point"),
             Self::Form => words("a form or a net of points", "une forme ou un réseau de points"),
+            Self::Solid => words(
+                "a closed surface, a list of its patches, a volume or a mesh",
+                "une surface fermée, une liste de ses carreaux, un volume ou un maillage",
+            ),
             Self::List => words("a list", "une liste"),
             Self::Record => words("a record", "une fiche"),
             Self::Operator => words("the name of an operator", "le nom d'un opérateur"),

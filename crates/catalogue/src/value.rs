@@ -1,6 +1,7 @@
 //! What flows from cell to cell.
 
 use pforms_kernel::{Form, Kind};
+use pforms_mesh::Mesh;
 use pforms_operators::{Immersed, Shape, Spline};
 
 use crate::{Arithmetic, Failure, Language, Message, Words};
@@ -32,6 +33,8 @@ pub enum Value<S = f64> {
     Spline(Spline<S>),
     /// An immersed form that has not been expanded: host and inner.
     Immersed(Immersed<S>),
+    /// Points and triangles: a solid, or a cloud of points. Its numbers are floating in both modes.
+    Mesh(Mesh),
     /// Values in order; make one with [`Value::list`], which keeps it within bounds.
     List(Vec<Value<S>>),
     /// Named values in order, such as a frame.
@@ -122,6 +125,7 @@ impl<S: Arithmetic> Value<S> {
             Self::Form(form) => form.bytes(),
             Self::Spline(pieces) => pieces.net().bytes(),
             Self::Immersed(lazy) => lazy.inner().bytes() + lazy.host().bytes(),
+            Self::Mesh(mesh) => mesh.bytes(),
             Self::List(items) => items.iter().map(Self::bytes).sum(),
             Self::Record(entries) => entries.iter().map(|(_, value)| value.bytes()).sum(),
             Self::Error(failure) => failure.message(Language::English).len(),
@@ -152,6 +156,11 @@ impl<S: Arithmetic> Value<S> {
             Self::Form(form) => return form.kind().to_string(),
             Self::Spline(spline) => return of_pieces(spline, language),
             Self::Immersed(lazy) => return lazy.kind(),
+            Self::Mesh(mesh) if mesh.vertex_count() == 0 => {
+                Words { en: "empty solid", fr: "solide vide" }
+            }
+            Self::Mesh(mesh) if mesh.is_cloud() => Words { en: "cloud", fr: "nuage" },
+            Self::Mesh(_) => Words { en: "mesh", fr: "maillage" },
             Self::List(_) => Words { en: "list", fr: "liste" },
             Self::Record(_) => Words { en: "record", fr: "fiche" },
             Self::Error(_) => Words { en: "error", fr: "erreur" },
@@ -193,6 +202,12 @@ impl<S> From<Failure> for Value<S> {
 impl<S> From<Form<S>> for Value<S> {
     fn from(form: Form<S>) -> Self {
         Self::Form(form)
+    }
+}
+
+impl<S> From<Mesh> for Value<S> {
+    fn from(mesh: Mesh) -> Self {
+        Self::Mesh(mesh)
     }
 }
 

@@ -4,9 +4,10 @@ use std::collections::HashMap;
 
 /// Every edge of every triangle in the direction that triangle runs it, and the triangle.
 pub(crate) fn directed(triangles: &[[u32; 3]]) -> impl Iterator<Item = ([u32; 2], usize)> + '_ {
-    triangles.iter().enumerate().flat_map(|(number, &[a, b, c])| {
-        [([a, b], number), ([b, c], number), ([c, a], number)]
-    })
+    triangles
+        .iter()
+        .enumerate()
+        .flat_map(|(number, &[a, b, c])| [([a, b], number), ([b, c], number), ([c, a], number)])
 }
 
 /// The edges that do not run as often one way as the other, with a triangle at each.
@@ -45,7 +46,9 @@ fn neighbours(triangles: &[[u32; 3]]) -> Vec<Vec<usize>> {
             next[b].push(a);
         }
     }
-    next.iter_mut().for_each(|list| list.sort_unstable());
+    for list in &mut next {
+        list.sort_unstable();
+    }
     next
 }
 

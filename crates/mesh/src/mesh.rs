@@ -112,6 +112,23 @@ impl Mesh {
         Self::new(ambient, vertices, self.0.triangles.clone())
     }
 
+    /// The mesh with one vertex at each place that has some; vertices of no triangle are left out.
+    ///
+    /// Errors: `Shape` unless it is in space.
+    pub fn welded(&self) -> Result<Self> {
+        self.require_space()?;
+        let (vertices, triangles) = crate::weld::welded(&self.places(), self.triangles());
+        Self::of_space(vertices, triangles)
+    }
+
+    fn require_space(&self) -> Result<()> {
+        if self.0.ambient == 3 {
+            return Ok(());
+        }
+        let received = format!("a mesh in dimension {}", self.0.ambient);
+        Err(Error::shape("mesh", received, "a mesh in dimension 3"))
+    }
+
     /// The vertices in space: missing coordinates are 0, of more than three the first three.
     pub fn places(&self) -> Vec<Vec3> {
         let place = |point: &[f64]| [0, 1, 2].map(|k| point.get(k).copied().unwrap_or(0.0));
@@ -125,28 +142,28 @@ impl Mesh {
 
     /// The area of all triangles.
     pub fn area(&self) -> f64 {
-        let at = |vertex: u32| {
-            &self.0.vertices[vertex as usize * self.0.ambient..][..self.0.ambient]
-        };
+        let at =
+            |vertex: u32| &self.0.vertices[vertex as usize * self.0.ambient..][..self.0.ambient];
         self.triangles().iter().map(|corners| area(corners.map(at))).sum()
     }
 
     /// The volume inside a closed mesh in space; where it is wound several times, so often; what
     /// is turned inside out counts negative.
     ///
-    /// Errors: `Shape` unless it is closed and in space.
+    /// Errors: `Shape` unless it is closed and in space; `Accuracy` beyond the largest number.
     pub fn volume(&self) -> Result<f64> {
-        if self.0.ambient != 3 {
-            let received = format!("a mesh in dimension {}", self.0.ambient);
-            return Err(Error::shape("mesh", received, "a mesh in dimension 3"));
-        }
+        self.require_space()?;
         if self.vertex_count() == 0 {
             return Ok(0.0);
         }
         if !self.is_closed() {
             return Err(Error::shape("mesh", "one with a border", "a closed mesh"));
         }
-        Ok(volume(&self.places(), self.triangles()))
+        let volume = volume(&self.places(), self.triangles());
+        if volume.is_finite() {
+            return Ok(volume);
+        }
+        Err(Error::accuracy("volume", volume, "at most 1.8e308"))
     }
 
     /// The box round all vertices: its lowest and its highest corner; nothing round nothing.
@@ -186,8 +203,7 @@ impl From<&Triangles> for Mesh {
     /// The triangles; vertices at one place become one.
     fn from(triangles: &Triangles) -> Self {
         let (vertices, indices) = crate::weld::welded(&triangles.positions, &triangles.indices);
-        let parts =
-            Parts { ambient: 3, vertices: vertices.into_flattened(), triangles: indices };
+        let parts = Parts { ambient: 3, vertices: vertices.into_flattened(), triangles: indices };
         Self(Arc::new(parts))
     }
 }
@@ -209,7 +225,13 @@ fn area([a, b, c]: [&[f64]; 3]) -> f64 {
 
 /// The volume of the cones from a point in the middle, which keeps the rounding small.
 pub(crate) fn volume(places: &[Vec3], triangles: &[[u32; 3]]) -> f64 {
-    let Some(first) = triangles.first() else { return 0.0 };
+    let (volume, unit) = volume_in_units(places, triangles);
+    volume * unit * unit * unit
+}
+
+/// The volume in units of a length, which neither overflows nor vanishes, and that length.
+pub(crate) fn volume_in_units(places: &[Vec3], triangles: &[[u32; 3]]) -> (f64, f64) {
+    let Some(first) = triangles.first() else { return (0.0, 1.0) };
     let (mut low, mut high) = (places[first[0] as usize], places[first[0] as usize]);
     for vertex in triangles.as_flattened() {
         for (k, x) in places[*vertex as usize].iter().enumerate() {
@@ -217,9 +239,16 @@ pub(crate) fn volume(places: &[Vec3], triangles: &[[u32; 3]]) -> f64 {
         }
     }
     let middle = [0, 1, 2].map(|k| low[k] / 2.0 + high[k] / 2.0);
+    let extent = (0..3).map(|k| high[k] - middle[k]).fold(0.0, f64::max);
+    if extent == 0.0 {
+        return (0.0, 1.0);
+    }
+    // A power of two changes no digit.
+    let unit = libm::ldexp(1.0, libm::frexp(extent).1.clamp(-1000, 1000));
     let cone = |corners: &[u32; 3]| {
-        let [a, b, c] = corners.map(|vertex| subtract(places[vertex as usize], middle));
+        let [a, b, c] =
+            corners.map(|vertex| subtract(places[vertex as usize], middle).map(|x| x / unit));
         dot(a, cross(b, c)) / 6.0
     };
-    triangles.iter().map(cone).sum()
+    (triangles.iter().map(cone).sum(), unit)
 }

@@ -171,7 +171,12 @@ fn a_surface_that_is_a_line_or_a_point_has_normals_all_the_same() {
         let form = Form::from_points(&[2, 2], 3, &points, None).unwrap();
         let mesh = surface(&form, &Sampling::Fineness(vec![2])).unwrap();
         assert!(mesh.normals.iter().all(|n| (norm(*n) - 1.0).abs() < 1e-12));
+        assert!(surface(&form, &Sampling::Tolerance(1e-3)).unwrap().area() == 0.0);
     }
+    // From a point to a point along a line.
+    let spindle = [0., 0., 0., 0., 0., 0., 1., 0., 0., 1., 0., 0.];
+    let form = Form::from_points(&[2, 2], 3, &spindle, None).unwrap();
+    assert!(surface(&form, &Sampling::Tolerance(1e-3)).unwrap().area() == 0.0);
 }
 
 #[test]

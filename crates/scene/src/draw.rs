@@ -2,8 +2,8 @@
 
 use pforms_kernel::{Error, Form, Result};
 use pforms_mesh::{
-    Polyline, Sampling, chain, curve, envelope, fibres, leaves, net, normals, patches, points,
-    poles, require_room, surfaces,
+    Mesh, Polyline, Sampling, chain, curve, envelope, fibres, leaves, net, normals, patches,
+    points, poles, require_room, surfaces,
 };
 use pforms_operators::{Poles, Shape};
 
@@ -34,10 +34,15 @@ pub fn draw(shapes: &Shapes, style: &Style) -> Result<Vec<Part>> {
     for mode in &style.draw {
         let suits = |shape: &&Shape| Mode::suiting(shape.net()).contains(mode);
         let suited: Vec<&Shape> = shapes.as_slice().iter().filter(suits).collect();
-        if suited.is_empty() {
-            return Err(unsuited(*mode, &shapes.nets()));
+        let suits = |mesh: &&Mesh| Mode::suiting_mesh(mesh).contains(mode);
+        let meshes: Vec<&Mesh> = shapes.meshes().iter().filter(suits).collect();
+        if suited.is_empty() && meshes.is_empty() {
+            return Err(unsuited(*mode, shapes));
         }
-        parts.extend(in_mode(*mode, &suited, &shapes.nets(), style)?);
+        if !suited.is_empty() {
+            parts.extend(in_mode(*mode, &suited, &shapes.nets(), style)?);
+        }
+        parts.extend(meshes.into_iter().flat_map(|mesh| of_mesh(*mode, mesh, style)));
     }
     Ok(parts)
 }
@@ -51,6 +56,10 @@ fn usual(shapes: &Shapes, style: &Style) -> Result<Vec<Part>> {
         if !suited.is_empty() {
             parts.extend(in_mode(mode, &suited, &[], style)?);
         }
+    }
+    for mesh in shapes.meshes() {
+        let usual = Mode::suiting_mesh(mesh).iter().take(1);
+        parts.extend(usual.flat_map(|mode| of_mesh(*mode, mesh, style)));
     }
     Ok(parts)
 }
@@ -89,6 +98,19 @@ fn in_mode(mode: Mode, shapes: &[&Shape], nets: &[&Form], style: &Style) -> Resu
             vec![tubes(gathered(forms, needles)?, style)]
         }
     })
+}
+
+/// A mesh in a way that suits it: its triangles, its edges, its vertices.
+fn of_mesh(mode: Mode, mesh: &Mesh, style: &Style) -> Vec<Part> {
+    match mode {
+        Mode::Points => vec![spheres(mesh.places(), style)],
+        Mode::Net => vec![tubes_of(mesh.wires(), style.radius / 3.0)],
+        _ => {
+            let shaded = mesh.shaded();
+            let flat = style.shading == Shading::Flat;
+            vec![Part::Triangles(if flat { shaded.flat() } else { shaded })]
+        }
+    }
 }
 
 /// Refuses clouds and bundles that would be too large, before any of them is made.
@@ -174,11 +196,15 @@ fn only(sampling: &Sampling, axis: usize) -> Sampling {
     }
 }
 
-fn unsuited(mode: Mode, forms: &[&Form]) -> Error {
-    let kinds: Vec<String> = forms.iter().take(3).map(|form| form.kind().to_string()).collect();
-    let ways: Vec<String> = forms
-        .first()
-        .map_or(&[][..], |form| Mode::suiting(form))
+fn unsuited(mode: Mode, shapes: &Shapes) -> Error {
+    let forms = shapes.nets();
+    let kinds = forms.iter().map(|form| form.kind().to_string());
+    let word = |mesh: &Mesh| if mesh.is_cloud() { "a cloud" } else { "a mesh" }.to_owned();
+    let kinds: Vec<String> = kinds.chain(shapes.meshes().iter().map(word)).take(3).collect();
+    let first = forms.first().map(|form| Mode::suiting(form));
+    let ways: Vec<String> = first
+        .or(shapes.meshes().first().map(Mode::suiting_mesh))
+        .unwrap_or_default()
         .iter()
         .map(|mode| format!("{mode:?}").to_lowercase())
         .collect();

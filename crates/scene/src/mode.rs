@@ -1,17 +1,18 @@
 //! The ways to draw a form.
 
 use pforms_kernel::Form;
+use pforms_mesh::Mesh;
 use serde::{Deserialize, Serialize};
 
 /// A way to draw a form.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Mode {
-    /// Samples of any form as spheres.
+    /// Samples of any form, or vertices of a mesh, as spheres.
     Points,
     /// A curve as a round tube.
     Curve,
-    /// A surface as triangles.
+    /// A surface or a mesh as triangles.
     Surface,
     /// The six faces of a volume.
     Envelope,
@@ -19,7 +20,7 @@ pub enum Mode {
     Sheets,
     /// A bundle of curves of a volume or of a surface.
     Fibres,
-    /// The poles as spheres, joined along every axis.
+    /// The poles as spheres, joined along every axis; the edges of a mesh.
     Net,
     /// The poles as spheres.
     Poles,
@@ -37,6 +38,15 @@ impl Mode {
             2 => &[Surface, Points, Fibres, Net, Poles, Normals],
             3 => &[Envelope, Sheets, Fibres, Points, Net, Poles],
             _ => &[Points, Net, Poles],
+        }
+    }
+
+    /// The ways that suit a mesh, the most usual one first.
+    pub fn suiting_mesh(mesh: &Mesh) -> &'static [Self] {
+        if mesh.is_cloud() && mesh.vertex_count() > 0 {
+            &[Self::Points]
+        } else {
+            &[Self::Surface, Self::Net, Self::Points]
         }
     }
 }

@@ -11,7 +11,8 @@ pub struct Item {
     pub name: String,
     /// How it is drawn.
     pub style: Style,
-    /// The forms themselves, splines in pieces, for pictures that need no triangles.
+    /// The forms themselves, splines in pieces, for pictures that need no triangles; none where
+    /// there are meshes among them.
     pub forms: Vec<Form>,
     /// What it consists of.
     pub parts: Vec<Part>,
@@ -34,7 +35,7 @@ impl Scene {
     /// Errors: those of [`draw`].
     pub fn add(&mut self, name: &str, shapes: &Shapes, style: Style) -> Result<()> {
         let parts = draw(shapes, &style)?;
-        let forms = shapes.pieces()?;
+        let forms = if shapes.meshes().is_empty() { shapes.pieces()? } else { Vec::new() };
         self.items.push(Item { name: name.to_owned(), style, forms, parts });
         Ok(())
     }

@@ -49,7 +49,7 @@ export interface Cost {
 }
 
 /** What a value is, in no language: a page may rely on it. */
-export type Sort = "empty" | "number" | "boolean" | "text" | "form" | "list" | "record" | "error";
+export type Sort = "empty" | "number" | "boolean" | "text" | "form" | "mesh" | "list" | "record" | "error";
 
 export interface CellInfo {
   address: Address;

@@ -28,6 +28,7 @@ mod products;
 mod projecting;
 mod quadrics;
 mod relaxing;
+mod solids;
 mod spanning;
 mod splining;
 mod spreading;
@@ -67,6 +68,7 @@ pub(crate) fn all() -> Vec<Operator> {
         intersecting::ENTRIES,
         differentiating::ENTRIES,
         relaxing::ENTRIES,
+        solids::ENTRIES,
         transforming::ENTRIES,
         turning::ENTRIES,
         mirroring::ENTRIES,

@@ -48,7 +48,11 @@ fn texture(style: &Style) -> String {
 fn native(item: &Item) -> Result<Option<Vec<Form>>> {
     let plain = matches!(item.style.draw.as_slice(), [] | [Mode::Surface]);
     let bicubic = |form: &Form| form.orders() == [4, 4] && !form.is_rational();
-    if !plain || item.style.shading == Shading::Flat || !item.forms.iter().all(bicubic) {
+    if !plain
+        || item.forms.is_empty()
+        || item.style.shading == Shading::Flat
+        || !item.forms.iter().all(bicubic)
+    {
         return Ok(None);
     }
     let patches: Vec<Form> = item.forms.iter().map(embed).collect::<Result<_>>()?;

@@ -287,8 +287,13 @@ pub(crate) fn fan_distance(
     let [a, b, c] = places;
     let normal = cross(subtract(b, a), subtract(c, a));
     let size = norm(normal);
-    if weights[0] <= 0.0 || size <= 0.0 {
+    if weights[0] <= 0.0 {
         return f64::INFINITY;
+    }
+    if size <= 0.0 {
+        // A triangle that is a line or a point: the surface lies in the hull of its poles.
+        let poles = scratch.cell().iter().map(crate::space::project);
+        return poles.map(|pole| from_sides(pole, &places)).fold(0.0, f64::max);
     }
     let functions = [normal[0], normal[1], normal[2], -dot(normal, a)];
     let curvature = curvature(strip, &functions.map(|x| [x, 0.0, 0.0, 0.0]), scratch);
@@ -299,6 +304,17 @@ pub(crate) fn fan_distance(
     let height = (off.into_iter().fold(0.0, f64::max) + (uu + vv) / 8.0) / (size * weights[0]);
     let over = cell.iter().map(|pole| beyond(crate::space::project(pole), &places, normal));
     height.hypot(over.fold(0.0, f64::max))
+}
+
+/// How far a point is from the nearest side of a triangle.
+fn from_sides(point: Vec3, places: &[Vec3; 3]) -> f64 {
+    let from = |k: usize| {
+        let (side, way) = (subtract(places[(k + 1) % 3], places[k]), subtract(point, places[k]));
+        let square = dot(side, side);
+        let along = if square > 0.0 { (dot(way, side) / square).clamp(0.0, 1.0) } else { 0.0 };
+        norm(subtract(way, side.map(|x| along * x)))
+    };
+    from(0).min(from(1)).min(from(2))
 }
 
 /// How far a point lies beside a triangle, seen along its normal.

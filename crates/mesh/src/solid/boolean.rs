@@ -46,7 +46,8 @@ pub(super) fn combined(operation: Operation, solids: &[Vec<Solid>]) -> Result<So
         result = apply(&result, &body, step)?;
     }
     let mesh = unit.mesh(&result)?;
-    let distance = MERGED * solids.iter().flatten().map(|one| size(&one.mesh.places())).sum::<f64>();
+    let distance =
+        MERGED * solids.iter().flatten().map(|one| size(&one.mesh.places())).sum::<f64>();
     let volume_error = 2.0 * distance * mesh.area();
     Ok(Solid { mesh, distance, volume_error })
 }

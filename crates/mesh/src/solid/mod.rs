@@ -38,7 +38,8 @@ pub struct Solid {
 /// a volume and a mesh are a shell each, and the solid is all that lies inside any of the shells.
 /// Which way round patches are given does not matter.
 ///
-/// `accuracy` is relative to the size of each shell: no point of a surface is farther from the mesh.
+/// `accuracy` is relative to the size of each shell, the diagonal of the box round its poles: no
+/// point of a surface is farther from the mesh.
 ///
 /// Errors: `Shape` for a shell that is open, telling where, or has one side only, and for what is no
 /// shell (a curve, a cloud, something in another dimension); `Degenerate` for one without a volume;
@@ -96,7 +97,11 @@ fn shells_of(body: &[Part], accuracy: f64, name: &str) -> Result<Vec<Solid>> {
                 let net = shape.net();
                 if net.ambient() != 3 || !(2..=3).contains(&net.axes()) {
                     let received = format!("a {} in dimension {}", net.kind(), net.ambient());
-                    return Err(Error::shape(name, received, "surfaces, volumes or meshes in space"));
+                    return Err(Error::shape(
+                        name,
+                        received,
+                        "surfaces, volumes or meshes in space",
+                    ));
                 }
                 match (net.axes(), shape) {
                     (2, _) => surfaces.extend(shape.pieces()?),

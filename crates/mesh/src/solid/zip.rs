@@ -46,9 +46,8 @@ fn ends(places: &[Vec3], edges: &[([u32; 2], usize)]) -> (Vec<u32>, f64) {
     let mut vertices: Vec<u32> = edges.iter().flat_map(|(edge, _)| *edge).collect();
     vertices.sort_unstable();
     vertices.dedup();
-    let length = |([a, b], _): &([u32; 2], usize)| {
-        norm(subtract(places[*b as usize], places[*a as usize]))
-    };
+    let length =
+        |([a, b], _): &([u32; 2], usize)| norm(subtract(places[*b as usize], places[*a as usize]));
     (vertices, edges.iter().map(length).sum::<f64>() / edges.len() as f64)
 }
 
