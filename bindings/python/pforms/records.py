@@ -447,9 +447,9 @@ class Solid(NamedTuple):
     """A combination of solids, and how near it is to the true one.
 
     >>> import pforms as pf
-    >>> box = pf.union(pf.cube((0, 0, 0), (1, 2, 3)), report=True)
+    >>> box = pf.union(pf.cube((2, 2, 2), 2), report=True)
     >>> round(box.volume, 12), box.mesh
-    (6.0, <pforms.Mesh of 8 vertices, 12 triangles>)
+    (8.0, <pforms.Mesh of 8 vertices, 12 triangles>)
     """
 
     mesh: Mesh

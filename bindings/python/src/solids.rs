@@ -44,7 +44,7 @@ const ACCURACY: f64 = 1e-3;
 ///
 /// Examples
 /// --------
-/// >>> box = pf.cube((0, 0, 0), (1, 1, 1))
+/// >>> box = pf.cube((2, 2, 2))
 /// >>> both = pf.union(box, pf.translate(box, (0.5, 0, 0)))
 /// >>> both.is_closed, round(both.volume, 12)
 /// (True, 1.5)
@@ -62,7 +62,7 @@ pub(crate) fn union<'py>(
 ///
 /// Arguments, answers and errors as :func:`union`.
 ///
-/// >>> box = pf.cube((0, 0, 0), (1, 1, 1))
+/// >>> box = pf.cube((2, 2, 2))
 /// >>> round(pf.difference(box, pf.translate(box, (0.5, 0, 0))).volume, 12)
 /// 0.5
 #[pyfunction]

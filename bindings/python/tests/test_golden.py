@@ -78,6 +78,15 @@ def tube(of):
     return call
 
 
+def solid(of):
+    """A number of the report of a combination of solids."""
+
+    def call(*solids, part="mesh", **more):
+        return getattr(of(*solids, report=True, **more), part)
+
+    return call
+
+
 def unrolled(f, part=None):
     found = pf.unroll(f, report=True)
     return getattr(found, part) if part else found.spline.net
@@ -163,6 +172,9 @@ CALLS = {
     "affine_sweep": pf.affine_sweep,
     "bernstein": pf.bernstein,
     "blossom": lambda f, *lists: f.blossom(*(lists if isinstance(lists[0], list) else [lists])),
+    "common": solid(pf.common),
+    "difference": solid(pf.difference),
+    "union": solid(pf.union),
     "combine": lambda k, *forms, **more: pf.combine(k, forms, **more),
     "cube": pf.cube,
     "extrude": pf.extrude,

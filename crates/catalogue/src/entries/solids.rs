@@ -18,7 +18,7 @@ pub(super) static ENTRIES: &[Operator] = &[
             "Everything that is in one of the solids, as a mesh.",
             "Tout ce qui est dans l'un des solides, en maillage.",
         ),
-        example: "=UNION(CUBE((0, 0, 0), (1, 1, 1)), CUBE((0.5, 0.5, 0.5), (2, 2, 2)))",
+        example: "=UNION(CUBE(2, 1), TRANSLATE(CUBE(2, 1), (0.5, 0, 0)))",
         see: &["difference", "common"],
         call: call!(floating | a | answer(a, Operation::Union)),
         ..SOLIDS
@@ -31,7 +31,7 @@ pub(super) static ENTRIES: &[Operator] = &[
             "The first solid without the others, as a mesh.",
             "Le premier solide sans les autres, en maillage.",
         ),
-        example: "=DIFFERENCE(CUBE((0, 0, 0), (1, 1, 1)), CUBE((0.5, 0.5, 0.5), (2, 2, 2)))",
+        example: "=DIFFERENCE(CUBE(2, 1), TRANSLATE(CUBE(2, 1), (0.5, 0, 0)))",
         see: &["union", "common"],
         call: call!(floating | a | answer(a, Operation::Difference)),
         ..SOLIDS
@@ -44,7 +44,7 @@ pub(super) static ENTRIES: &[Operator] = &[
             "What is in all of the solids, as a mesh.",
             "Ce qui est dans tous les solides, en maillage.",
         ),
-        example: "=COMMON(CUBE((0, 0, 0), (1, 1, 1)), CUBE((0.5, 0.5, 0.5), (2, 2, 2)))",
+        example: "=COMMON(CUBE(2, 1), TRANSLATE(CUBE(2, 1), (0.5, 0, 0)))",
         see: &["union", "difference"],
         call: call!(floating | a | answer(a, Operation::Common)),
         ..SOLIDS
