@@ -227,6 +227,7 @@ impl<S: Arithmetic> Value<S> {
                 let (inner, host) = (mapped(lazy.inner(), convert)?, mapped(lazy.host(), convert)?);
                 Value::Immersed(Immersed::new(inner, host).ok()?)
             }
+            Self::Mesh(mesh) => Value::Mesh(mesh.clone()),
             Self::List(items) => Value::List(
                 items.iter().map(|item| item.map_scalar(convert)).collect::<Option<_>>()?,
             ),
