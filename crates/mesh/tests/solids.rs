@@ -253,6 +253,18 @@ fn a_mirrored_volume_is_a_solid_all_the_same() {
 }
 
 #[test]
+fn a_full_turn_meets_itself_in_a_wall() {
+    use pforms_operators::{Axis, Part as Turn, circle, revolve_along};
+    let profile = [0., -1., 0., 0.5, -1., 0., 0., 1., 0., 0.5, 1., 0.];
+    let profile = Form::from_points(&[2, 2], 3, &profile, None).unwrap();
+    let turn = circle(&1.0, Turn::Whole).unwrap();
+    let axis = Axis::with_length([0.0; 3], [0.0, 1.0, 0.0], &1.0).unwrap();
+    let drill = revolve_along(&profile.into(), &turn, &axis).unwrap();
+    let drill = solid(&[Part::Shape(drill)], 1e-3).unwrap();
+    within(&drill, PI / 2.0);
+}
+
+#[test]
 fn size_and_place_change_nothing() {
     let ball = whole_sphere();
     let expected = done(Common, &parts(ball.clone()), &parts(shifted(&ball, [1., 0., 0.])), 1e-2);

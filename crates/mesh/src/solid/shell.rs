@@ -51,7 +51,9 @@ pub(super) fn of_patches(patches: &[Form], accuracy: f64, name: &str) -> Result<
     };
     for part in parts {
         let own: Vec<[u32; 3]> = part.iter().map(|number| triangles[*number]).collect();
-        if volume_in_units(&places, &own).0 < 0.0 {
+        // What is open by itself is a wall between two parts, such as the ends of a full turn: it
+        // stays as it was given.
+        if open(&own).is_empty() && volume_in_units(&places, &own).0 < 0.0 {
             for number in part {
                 triangles[number].swap(1, 2);
             }
