@@ -3,12 +3,14 @@
 pub(crate) mod about_one;
 mod arc_length;
 pub(crate) mod bending;
+mod bounding_box;
 mod classify;
 mod continuity;
 mod curvature;
 mod curve_frame;
 mod developable;
 mod feet;
+mod folds;
 pub(crate) mod guarded;
 mod integral;
 mod intersect;
@@ -37,12 +39,14 @@ mod volume_frame;
 
 pub use arc_length::ArcLength;
 pub(crate) use arc_length::Speed;
+pub use bounding_box::{BoundingBox, bounding_box};
 pub use classify::{Conic, classify};
 pub use continuity::{Continuity, ContinuityOptions, FormEnd, continuity, joints};
 pub use curvature::{Curvature, curvature};
 pub use curve_frame::{CurveFrame, FrameKind, curve_frame, curve_frames};
 pub use developable::{Developability, gauss_form, is_developable};
 pub use feet::{Feet, Foot, FootKind, project_all};
+pub use folds::{Folding, Folds, folds};
 pub use intersect::{
     Branch, Contact, ContactKind, Crossings, Intersections, Overlap, Undecided, intersect,
     intersect_many,

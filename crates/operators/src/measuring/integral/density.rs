@@ -2,7 +2,7 @@
 
 use pforms_kernel::{Error, Form, Rational, Result, Scalar, Scaled};
 
-use super::local::{Local, exactly_seen, heaviest, least_weight, seen_from};
+use super::local::{Local, exactly_seen, heaviest, infinite, least_weight, seen_from};
 use crate::algebra::{Minors, flux_minor, tangent_minors};
 use crate::measuring::guarded::Guarded;
 use crate::measuring::vector::{dot, norm};
@@ -175,6 +175,22 @@ fn with_noise(minors: Minors<Guarded>) -> Result<Form> {
         poles.push(noise.sqrt());
     }
     Form::from_homogeneous(form.orders(), width - 1, poles)
+}
+
+/// The numerator of the Jacobian determinant of a form, up to a positive factor, and as weights by how
+/// much rounding may have changed it. Where a sign is in doubt it is computed exactly.
+///
+/// Errors: `Shape` without as many axes as coordinates; `Domain` at infinity; `Limit`.
+pub(crate) fn noisy_determinant(form: &Form) -> Result<Form> {
+    let local = Local::new(std::slice::from_ref(form))?;
+    if least_weight(&local.pieces[0])? <= 0.0 {
+        return Err(infinite());
+    }
+    let determinant = with_noise(tangent_minors(&guarded(&local.pieces[0])?)?)?;
+    if determinant.homogeneous().as_chunks::<2>().0.iter().all(|[x, noise]| x.abs() > *noise) {
+        return Ok(determinant);
+    }
+    rounded(tangent_minors(&exactly_seen(&local.given[0], &local.origin)?)?)
 }
 
 /// Exact numerators, each rounded once.

@@ -7,7 +7,7 @@ use crate::measuring::about_one::with_weights_about_one;
 use crate::measuring::scale::{in_units, unit};
 
 /// Pieces in units of a power of two, seen from one point, their weights about 1.
-pub(super) struct Local {
+pub(crate) struct Local {
     pub pieces: Vec<Form>,
     /// The same where they were given, free of rounding.
     pub given: Vec<Form>,
@@ -19,7 +19,7 @@ pub(super) struct Local {
 
 impl Local {
     /// Errors: `Domain` when a piece is at infinity.
-    pub(super) fn new(pieces: &[Form]) -> Result<Self> {
+    pub(crate) fn new(pieces: &[Form]) -> Result<Self> {
         let coarse = unit(pieces);
         let about_one = |piece: &Form| {
             require_weight(piece)?;

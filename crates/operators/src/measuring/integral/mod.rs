@@ -20,9 +20,8 @@ use pforms_kernel::{Error, Form, Result};
 
 use self::cell::{Cell, Share, moment_count};
 use self::density::Density;
-pub(crate) use self::density::Element;
-use self::local::Local;
-pub(crate) use self::local::{heaviest, infinite, least_weight, seen_from};
+pub(crate) use self::density::{Element, noisy_determinant};
+pub(crate) use self::local::{Local, heaviest, infinite, least_weight, seen_from};
 use self::rule::Rules;
 
 /// Integrals over all pieces, in units of length `unit`, of coordinates seen from `origin`.
@@ -210,7 +209,8 @@ fn totals(queue: BinaryHeap<Waiting>, count: usize) -> Vec<f64> {
     values
 }
 
-fn require_accuracy(accuracy: f64) -> Result<()> {
+/// Complains unless an accuracy can be had at all.
+pub(crate) fn require_accuracy(accuracy: f64) -> Result<()> {
     if !(accuracy > 0.0 && accuracy < 1.0) {
         return Err(Error::domain("accuracy", accuracy, "a number between 0 and 1"));
     }
