@@ -9,14 +9,18 @@ from numpy.typing import ArrayLike, NDArray
 
 from pforms.records import (
     Bicubic,
+    Box,
     Continuity,
     Crossings,
     Developability,
     Fit,
+    Folds,
     Frame,
+    Inertia,
     Intersection,
     Joined,
     Length,
+    Measure,
     Mesh,
     Minimal,
     Network,
@@ -61,14 +65,17 @@ __all__ = [
     "affine_sweep",
     "arc",
     "arc_length",
+    "area",
     "bernstein",
     "bezier_cone",
     "bezier_cylinder",
     "bezier_sphere",
     "bezier_torus",
+    "box",
     "bspline",
     "by_arc_length",
     "cap",
+    "centroid",
     "circle",
     "classify",
     "combine",
@@ -93,12 +100,15 @@ __all__ = [
     "hyperbola",
     "immerse",
     "immerse_points",
+    "inertia",
     "insert_knots",
     "interpolate",
     "interpolating_spline",
     "intersect",
     "intersect_many",
     "is_developable",
+    "is_injective",
+    "jacobian",
     "join_forms",
     "line",
     "midpoint",
@@ -124,6 +134,7 @@ __all__ = [
     "set_threads",
     "shear",
     "shell",
+    "slice",
     "sphere",
     "stack",
     "symmetric",
@@ -138,6 +149,7 @@ __all__ = [
     "union",
     "unroll",
     "viviani",
+    "volume",
     "waving_pipe",
 ]
 
@@ -394,6 +406,44 @@ class Form:
     ) -> Spline: ...
     @overload
     def by_arc_length(self, *, accuracy: float = 1e-9, report: Literal[True]) -> UnitSpeed: ...
+    @overload
+    def area(
+        self,
+        *,
+        signed: bool = False,
+        accuracy: float = 1e-12,
+        report: Literal[False] = False,
+    ) -> float: ...
+    @overload
+    def area(
+        self, *, signed: bool = False, accuracy: float = 1e-12, report: Literal[True]
+    ) -> Measure: ...
+    @overload
+    def volume(
+        self,
+        *,
+        signed: bool = False,
+        accuracy: float = 1e-12,
+        report: Literal[False] = False,
+    ) -> float: ...
+    @overload
+    def volume(
+        self, *, signed: bool = False, accuracy: float = 1e-12, report: Literal[True]
+    ) -> Measure: ...
+    def centroid(self, *, filled: bool = False, accuracy: float = 1e-12) -> _Array: ...
+    def inertia(self, *, filled: bool = False, accuracy: float = 1e-12) -> Inertia: ...
+    def box(self, *, accuracy: float = 1e-12) -> Box: ...
+    def jacobian(self) -> Form: ...
+    @overload
+    def is_injective(
+        self, *, accuracy: float = 1e-9, report: Literal[False] = False
+    ) -> bool | None: ...
+    @overload
+    def is_injective(self, *, accuracy: float = 1e-9, report: Literal[True]) -> Folds: ...
+    @overload
+    def slice(self, axis: int, t: _Number) -> Form: ...
+    @overload
+    def slice(self, axis: int, t: Sequence[_Number]) -> list[Form]: ...
     def __eq__(self, other: object, /) -> bool: ...
     def __hash__(self) -> int: ...
     def __copy__(self) -> Form: ...
@@ -610,6 +660,44 @@ class Spline:
     ) -> Spline: ...
     @overload
     def by_arc_length(self, *, accuracy: float = 1e-9, report: Literal[True]) -> UnitSpeed: ...
+    @overload
+    def area(
+        self,
+        *,
+        signed: bool = False,
+        accuracy: float = 1e-12,
+        report: Literal[False] = False,
+    ) -> float: ...
+    @overload
+    def area(
+        self, *, signed: bool = False, accuracy: float = 1e-12, report: Literal[True]
+    ) -> Measure: ...
+    @overload
+    def volume(
+        self,
+        *,
+        signed: bool = False,
+        accuracy: float = 1e-12,
+        report: Literal[False] = False,
+    ) -> float: ...
+    @overload
+    def volume(
+        self, *, signed: bool = False, accuracy: float = 1e-12, report: Literal[True]
+    ) -> Measure: ...
+    def centroid(self, *, filled: bool = False, accuracy: float = 1e-12) -> _Array: ...
+    def inertia(self, *, filled: bool = False, accuracy: float = 1e-12) -> Inertia: ...
+    def box(self, *, accuracy: float = 1e-12) -> Box: ...
+    def jacobian(self) -> Spline: ...
+    @overload
+    def is_injective(
+        self, *, accuracy: float = 1e-9, report: Literal[False] = False
+    ) -> bool | None: ...
+    @overload
+    def is_injective(self, *, accuracy: float = 1e-9, report: Literal[True]) -> Folds: ...
+    @overload
+    def slice(self, axis: int, t: _Number) -> Form | Spline: ...
+    @overload
+    def slice(self, axis: int, t: Sequence[_Number]) -> list[Form | Spline]: ...
     def __add__(self, other: Form | Spline, /) -> Spline: ...
     def __radd__(self, other: Form | Spline, /) -> Spline: ...
     def __sub__(self, other: Form | Spline, /) -> Spline: ...
@@ -1353,6 +1441,55 @@ def by_arc_length(
 ) -> Spline: ...
 @overload
 def by_arc_length(curve: _Shape, *, accuracy: float = 1e-9, report: Literal[True]) -> UnitSpeed: ...
+@overload
+def area(
+    *forms: _Shape | Sequence[_Shape],
+    signed: bool = False,
+    accuracy: float = 1e-12,
+    report: Literal[False] = False,
+) -> float: ...
+@overload
+def area(
+    *forms: _Shape | Sequence[_Shape],
+    signed: bool = False,
+    accuracy: float = 1e-12,
+    report: Literal[True],
+) -> Measure: ...
+@overload
+def volume(
+    *forms: _Shape | Sequence[_Shape],
+    signed: bool = False,
+    accuracy: float = 1e-12,
+    report: Literal[False] = False,
+) -> float: ...
+@overload
+def volume(
+    *forms: _Shape | Sequence[_Shape],
+    signed: bool = False,
+    accuracy: float = 1e-12,
+    report: Literal[True],
+) -> Measure: ...
+def centroid(
+    *forms: _Shape | Sequence[_Shape], filled: bool = False, accuracy: float = 1e-12
+) -> _Array: ...
+def inertia(
+    *forms: _Shape | Sequence[_Shape], filled: bool = False, accuracy: float = 1e-12
+) -> Inertia: ...
+def box(*forms: _Shape | Sequence[_Shape], accuracy: float = 1e-12) -> Box: ...
+@overload
+def jacobian(form: Form | ArrayLike) -> Form: ...
+@overload
+def jacobian(form: Spline) -> Spline: ...
+@overload
+def is_injective(
+    form: _Shape, *, accuracy: float = 1e-9, report: Literal[False] = False
+) -> bool | None: ...
+@overload
+def is_injective(form: _Shape, *, accuracy: float = 1e-9, report: Literal[True]) -> Folds: ...
+@overload
+def slice(form: _Shape, axis: int, t: _Number) -> Form | Spline: ...
+@overload
+def slice(form: _Shape, axis: int, t: Sequence[_Number]) -> list[Form | Spline]: ...
 @overload
 def symmetric(middle: Form, form: Form, *, pointwise: bool = False) -> Form: ...
 @overload

@@ -69,6 +69,20 @@ class Fit(NamedTuple):
     """Root of the mean square of these distances."""
 
 
+class Measure(NamedTuple):
+    """A length, area or volume.
+
+    >>> import pforms as pf
+    >>> value, error = pf.area(pf.Form([[(0, 0), (0, 1)], [(2, 0), (2, 1)]]), report=True)
+    >>> value, error < 1e-12
+    (2.0, True)
+    """
+
+    value: float
+    error: float
+    """By how much the true one may differ, at most."""
+
+
 class Mesh(NamedTuple):
     """Triangles that share vertices; without any, a cloud of points.
 
@@ -511,6 +525,75 @@ class Joined(NamedTuple):
     g: Form | Spline
     moved: float
     """The largest distance by which a pole was moved."""
+
+
+class Box(NamedTuple):
+    """The least box around forms.
+
+    >>> import pforms as pf
+    >>> arch = pf.box(pf.Form([(0, 0), (1, 2), (2, 0)]))
+    >>> arch.upper.round(12), arch.highest[1]
+    (array([2., 1.]), (0, (0.5,)))
+    """
+
+    lower: NDArray[float64]
+    """Nothing lies below, along any axis."""
+    upper: NDArray[float64]
+    """Nothing lies above."""
+    error: float
+    """Each face is farther out than some point by no more than this."""
+    lowest: tuple[tuple[int, tuple[float, ...]], ...]
+    """For each coordinate the number of a form and the parameters of such a point."""
+    highest: tuple[tuple[int, tuple[float, ...]], ...]
+
+
+class Folds(NamedTuple):
+    """What is known of the sign of a Jacobian determinant.
+
+    >>> import pforms as pf
+    >>> drawn = pf.Form([[(0, 0), (0, 1)], [(1, 0), (0.4, 0.4)]])
+    >>> found = pf.is_injective(drawn, report=True)
+    >>> found.answer, found.positive, found.negative
+    ('folds', (0.0, 0.0), (1.0, 1.0))
+    """
+
+    answer: str
+    """``"none"``: proved that it has one sign; ``"folds"``: it has both; ``"undecided"``."""
+    positive: tuple[float, ...] | None
+    """Parameters where it is positive, if any were found."""
+    negative: tuple[float, ...] | None
+    """Parameters where it is negative, if any were found."""
+    undecided: tuple[tuple[tuple[float, ...], tuple[float, ...]], ...]
+    """Boxes of parameters, from corner to corner, where its sign is open."""
+    regular: bool
+    """Is it proved to vanish nowhere, border and all?"""
+    injective: bool
+    """Is it proved that no two parameters give one point?"""
+
+
+class Inertia(NamedTuple):
+    """Mass, centre and inertia of density 1.
+
+    >>> import pforms as pf
+    >>> plate = pf.inertia(pf.Form([[(0, 0), (0, 1)], [(2, 0), (2, 1)]]))
+    >>> plate.moments.round(12), plate.error < 1e-11
+    (array([0.16666667, 0.66666667]), True)
+    """
+
+    measure: float
+    """Length, area or volume."""
+    measure_error: float
+    centroid: NDArray[float64]
+    centroid_error: float
+    """Along each axis, at most."""
+    tensor: NDArray[float64]
+    """About the centre: the integral of |x|² less the products of coordinates, shape (c, c)."""
+    moments: NDArray[float64]
+    """About the principal axes, the least first."""
+    axes: NDArray[float64]
+    """The principal axes, unit vectors, one for each row."""
+    error: float
+    """Of each entry of the tensor and each moment, at most."""
 
 
 class Length(NamedTuple):

@@ -40,6 +40,7 @@ mod sampling;
 mod settings;
 mod shapes;
 mod sheet;
+mod sizes;
 mod slices;
 mod solids;
 mod spanning;
@@ -105,6 +106,9 @@ mod _pforms {
     use crate::sheet::PySheet;
     #[pymodule_export]
     use crate::solids::{common, difference, union};
+    use crate::sizes::{
+        area, bounding_box, centroid, inertia, is_injective, jacobian, slice, volume,
+    };
     #[pymodule_export]
     use crate::spanning::{coons, gordon};
     #[pymodule_export]

@@ -1,10 +1,11 @@
 //! Functions on curves and splines, as methods of both classes.
 
 use pyo3::prelude::*;
+use pyo3::types::PyTuple;
 
 use crate::form::PyForm;
 use crate::spline::PySpline;
-use crate::{joining, lengths};
+use crate::{joining, lengths, sizes};
 
 macro_rules! methods {
     ($class:ident) => {
@@ -110,6 +111,126 @@ macro_rules! methods {
                 report: Option<&Bound<'py, PyAny>>,
             ) -> PyResult<Bound<'py, PyAny>> {
                 lengths::by_arc_length(slf, accuracy, report)
+            }
+
+            /// The area of a surface: :func:`area`.
+            ///
+            /// >>> pf.Form([[(0, 0), (0, 1)], [(2, 0), (2, 1)]]).area()
+            /// 2.0
+            #[pyo3(
+                signature = (*, signed=None, accuracy=None, report=None),
+                text_signature = "($self, *, signed=False, accuracy=1e-12, report=False)"
+            )]
+            fn area<'py>(
+                slf: &Bound<'py, Self>,
+                signed: Option<&Bound<'py, PyAny>>,
+                accuracy: Option<&Bound<'py, PyAny>>,
+                report: Option<&Bound<'py, PyAny>>,
+            ) -> PyResult<Bound<'py, PyAny>> {
+                let alone = PyTuple::new(slf.py(), [slf])?;
+                sizes::area(slf.py(), &alone, signed, accuracy, report)
+            }
+
+            /// The volume of a form or of a closed surface: :func:`volume`.
+            ///
+            /// >>> pf.cube((0, 0, 0), (1, 2, 3)).volume()
+            /// 6.0
+            #[pyo3(
+                signature = (*, signed=None, accuracy=None, report=None),
+                text_signature = "($self, *, signed=False, accuracy=1e-12, report=False)"
+            )]
+            fn volume<'py>(
+                slf: &Bound<'py, Self>,
+                signed: Option<&Bound<'py, PyAny>>,
+                accuracy: Option<&Bound<'py, PyAny>>,
+                report: Option<&Bound<'py, PyAny>>,
+            ) -> PyResult<Bound<'py, PyAny>> {
+                let alone = PyTuple::new(slf.py(), [slf])?;
+                sizes::volume(slf.py(), &alone, signed, accuracy, report)
+            }
+
+            /// The centre of mass: :func:`centroid`.
+            ///
+            /// >>> pf.Form([(0, 0), (2, 0)]).centroid()
+            /// array([1., 0.])
+            #[pyo3(
+                signature = (*, filled=None, accuracy=None),
+                text_signature = "($self, *, filled=False, accuracy=1e-12)"
+            )]
+            fn centroid<'py>(
+                slf: &Bound<'py, Self>,
+                filled: Option<&Bound<'py, PyAny>>,
+                accuracy: Option<&Bound<'py, PyAny>>,
+            ) -> PyResult<Bound<'py, PyAny>> {
+                sizes::centroid(slf.py(), &PyTuple::new(slf.py(), [slf])?, filled, accuracy)
+            }
+
+            /// Measure, centre, inertia and principal axes: :func:`inertia`.
+            ///
+            /// >>> pf.Form([(0, 0), (2, 0)]).inertia().moments.round(12)
+            /// array([0.        , 0.66666667])
+            #[pyo3(
+                signature = (*, filled=None, accuracy=None),
+                text_signature = "($self, *, filled=False, accuracy=1e-12)"
+            )]
+            fn inertia<'py>(
+                slf: &Bound<'py, Self>,
+                filled: Option<&Bound<'py, PyAny>>,
+                accuracy: Option<&Bound<'py, PyAny>>,
+            ) -> PyResult<Bound<'py, PyAny>> {
+                sizes::inertia(slf.py(), &PyTuple::new(slf.py(), [slf])?, filled, accuracy)
+            }
+
+            /// The least box around its points: :func:`box`.
+            ///
+            /// >>> pf.Form([(0, 0), (1, 2), (2, 0)]).box().upper.round(12)
+            /// array([2., 1.])
+            #[pyo3(
+                name = "box",
+                signature = (*, accuracy=None),
+                text_signature = "($self, *, accuracy=1e-12)"
+            )]
+            fn bounding_box<'py>(
+                slf: &Bound<'py, Self>,
+                accuracy: Option<&Bound<'py, PyAny>>,
+            ) -> PyResult<Bound<'py, PyAny>> {
+                sizes::bounding_box(slf.py(), &PyTuple::new(slf.py(), [slf])?, accuracy)
+            }
+
+            /// Its Jacobian determinant as a form: :func:`jacobian`.
+            ///
+            /// >>> pf.Form([(0,), (2,), (4,)]).jacobian().poles.ravel()
+            /// array([4., 4.])
+            fn jacobian<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+                sizes::jacobian(slf)
+            }
+
+            /// Is it proved that it does not fold over? :func:`is_injective`.
+            ///
+            /// >>> pf.Form([(0,), (2,), (1,)]).is_injective()
+            /// False
+            #[pyo3(
+                signature = (*, accuracy=None, report=None),
+                text_signature = "($self, *, accuracy=1e-9, report=False)"
+            )]
+            fn is_injective<'py>(
+                slf: &Bound<'py, Self>,
+                accuracy: Option<&Bound<'py, PyAny>>,
+                report: Option<&Bound<'py, PyAny>>,
+            ) -> PyResult<Bound<'py, PyAny>> {
+                sizes::is_injective(slf, accuracy, report)
+            }
+
+            /// One axis less, at one or several parameters: :func:`slice`.
+            ///
+            /// >>> pf.Form([[(0, 0), (0, 1)], [(2, 0), (2, 1)]]).slice(0, 0.5).poles.tolist()
+            /// [[1.0, 0.0], [1.0, 1.0]]
+            fn slice<'py>(
+                slf: &Bound<'py, Self>,
+                axis: &Bound<'py, PyAny>,
+                t: &Bound<'py, PyAny>,
+            ) -> PyResult<Bound<'py, PyAny>> {
+                sizes::slice(slf, axis, t)
             }
         }
     };

@@ -164,6 +164,21 @@ def differentiated(result, source, *cells):
 def little_area(*boundary, part="surface", **more):
     found = pf.minimal(*boundary, report=part != "surface", **more)
     return found if part == "surface" else getattr(found, {"coons": "coons_area"}.get(part, part))
+def heavy(*forms, part=None, **more):
+    """The record of a formula."""
+    found = pf.inertia(*forms, **more)._asdict()
+    return found[part] if part else found
+
+
+def boxed(*forms, part=None, **more):
+    found = pf.box(*forms, **more)._asdict()
+    return found[part] if part else found
+
+
+def folded(f, part=None):
+    """The record of a formula, where parameters that were not found are an empty list."""
+    found = pf.is_injective(f, report=True)._asdict()
+    return found[part] if part else found
 
 
 # How the arguments of a golden case are handed over: `f` a form, then what the operator takes.
@@ -189,6 +204,14 @@ CALLS = {
     "evaluate": lambda f, *at: f(*at),
     "explain": pf.explain,
     "arc_length": pf.arc_length,
+    "area": pf.area,
+    "box": boxed,
+    "centroid": pf.centroid,
+    "inertia": heavy,
+    "is_injective": folded,
+    "jacobian": pf.jacobian,
+    "slice": pf.slice,
+    "volume": pf.volume,
     "binormal_form": pf.binormal_form,
     "bspline": lambda *f, **more: pf.bspline(*f, **more).pieces,
     "by_arc_length": unit_speed,

@@ -9,6 +9,7 @@ mod conics;
 mod differentiating;
 mod evaluating;
 mod explaining;
+mod folding;
 mod forms;
 mod framing;
 mod gestures;
@@ -19,6 +20,7 @@ mod joining;
 mod knotting;
 mod lengths;
 mod lists;
+mod measuring;
 mod mirroring;
 mod numbers;
 mod offsetting;
@@ -65,6 +67,8 @@ pub(crate) fn all() -> Vec<Operator> {
         offsetting::ENTRIES,
         piping::ENTRIES,
         projecting::ENTRIES,
+        measuring::ENTRIES,
+        folding::ENTRIES,
         intersecting::ENTRIES,
         differentiating::ENTRIES,
         relaxing::ENTRIES,

@@ -17,6 +17,17 @@ pub enum Folding {
     Undecided,
 }
 
+impl Folding {
+    /// Its name: none, folds, undecided.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::None => "none",
+            Self::Folds => "folds",
+            Self::Undecided => "undecided",
+        }
+    }
+}
+
 /// The answer to whether a form folds over.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Folds {

@@ -3,6 +3,7 @@
 use pforms_kernel::{Error, Form, Result, Scalar};
 
 use super::integral::{Element, integrate};
+use super::volume;
 use crate::algebra::{Poles, Shape};
 
 /// A number and how far the true one may be from it.
@@ -14,7 +15,8 @@ pub struct Measure {
     pub error: f64,
 }
 
-/// The area of surfaces, added up: forms or splines in any dimension, polynomial or rational.
+/// The area of surfaces, added up: forms or splines in any dimension, polynomial or rational. Of curves
+/// in the plane what they enclose, as [`volume`] does it.
 ///
 /// Without sign: where a surface in the plane folds over, or surfaces overlap, the area counts as often
 /// as they cover it. The error is bounded, not estimated; it is at most `accuracy` times the area,
@@ -32,8 +34,30 @@ pub struct Measure {
 /// # Ok::<(), pforms_kernel::Error>(())
 /// ```
 pub fn area(surfaces: &[Shape], accuracy: f64) -> Result<Measure> {
-    require_axes(surfaces, 2, "surfaces")?;
-    measure(surfaces, accuracy)
+    match require_alike(surfaces)? {
+        (1, 2) => volume(surfaces, false, accuracy),
+        (2, _) => measure(surfaces, accuracy),
+        (axes, ambient) => Err(Error::shape(
+            "surfaces",
+            format!("{axes} axes in dimension {ambient}"),
+            "surfaces, or curves in the plane",
+        )),
+    }
+}
+
+/// The area of forms in the plane with its sign: the integral of the determinant, or what closed curves
+/// enclose, positive where they run counter-clockwise.
+///
+/// Errors: as [`volume`]; `Shape` unless all lies in the plane.
+pub fn signed_area(shapes: &[Shape], accuracy: f64) -> Result<Measure> {
+    match require_alike(shapes)? {
+        (1 | 2, 2) => volume(shapes, true, accuracy),
+        (axes, ambient) => Err(Error::shape(
+            "shapes",
+            format!("{axes} axes in dimension {ambient}"),
+            "surfaces or closed curves in the plane, for an area with a sign",
+        )),
+    }
 }
 
 /// The measure of forms with `d` parameters in any dimension from `d` up: `∫ √det(JᵀJ)`, added up.
@@ -66,15 +90,6 @@ pub(super) fn require_alike<S: Scalar>(shapes: &[Shape<S>]) -> Result<(usize, us
             format!("a {} in dimension {}", other.net().kind(), other.net().ambient()),
             format!("{} axes in dimension {}, as the first", first.0, first.1),
         )),
-    }
-}
-
-fn require_axes(shapes: &[Shape], axes: usize, argument: &str) -> Result<()> {
-    match shapes.iter().find(|shape| shape.net().axes() != axes) {
-        None => Ok(()),
-        Some(shape) => {
-            Err(Error::shape(argument, format!("a {}", shape.net().kind()), format!("{axes} axes")))
-        }
     }
 }
 

@@ -53,7 +53,7 @@ pub use intersect::{
 };
 pub use invert::{Doubt, Inversion, Inverter, Preimage, invert};
 pub use mass::{Mass, mass};
-pub use measure::{Measure, area, measure};
+pub use measure::{Measure, area, measure, signed_area};
 pub use normal_form::{binormal_form, normal_form};
 pub use normals::{normal_grid_into, normals_into};
 pub use project::{Projection, Projector, SplineProjector, project};
