@@ -15,6 +15,7 @@ mod measure;
 mod mfem;
 mod parallels;
 mod peers;
+mod proved;
 
 use pforms_operators::Spline;
 use pforms_testkit::models::Patch;
