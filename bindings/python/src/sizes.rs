@@ -15,10 +15,7 @@ use crate::shapes;
 type Object<'py> = Bound<'py, PyAny>;
 
 /// What is measured, and how well.
-fn read(
-    forms: &Bound<'_, PyTuple>,
-    accuracy: Option<&Object<'_>>,
-) -> PyResult<(Vec<Shape>, f64)> {
+fn read(forms: &Bound<'_, PyTuple>, accuracy: Option<&Object<'_>>) -> PyResult<(Vec<Shape>, f64)> {
     let all = shapes::read_several("forms", forms)?;
     Ok((all, accuracy.map_or(Ok(1e-12), |given| real("accuracy", given))?))
 }
@@ -361,7 +358,8 @@ pub(crate) fn is_injective<'py>(
     }
     let place = |at: Option<Vec<f64>>| at.map(|at| PyTuple::new(py, at)).transpose();
     let corner = |at: &Vec<f64>| PyTuple::new(py, at);
-    let boxes = found.undecided.iter().map(|[low, high]| (corner(low)?, corner(high)?).into_pyobject(py));
+    let boxes =
+        found.undecided.iter().map(|[low, high]| (corner(low)?, corner(high)?).into_pyobject(py));
     let fields = (
         found.answer.name(),
         place(found.positive)?,

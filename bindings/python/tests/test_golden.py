@@ -164,6 +164,8 @@ def differentiated(result, source, *cells):
 def little_area(*boundary, part="surface", **more):
     found = pf.minimal(*boundary, report=part != "surface", **more)
     return found if part == "surface" else getattr(found, {"coons": "coons_area"}.get(part, part))
+
+
 def heavy(*forms, part=None, **more):
     """The record of a formula."""
     found = pf.inertia(*forms, **more)._asdict()

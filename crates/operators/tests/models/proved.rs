@@ -2,7 +2,9 @@
 
 use std::f64::consts::PI;
 
-use pforms_operators::{Folding, Measure, Shape, Spline, area, bounding_box, folds, measure, volume};
+use pforms_operators::{
+    Folding, Measure, Shape, Spline, area, bounding_box, folds, measure, volume,
+};
 use pforms_testkit::models::{bembel, document, gismo, mfem, text};
 
 use crate::spline;
@@ -25,7 +27,8 @@ fn meshes_of_mfem() {
     let expected = document("mfem/expected.json");
     for model in expected["models"].as_array().unwrap() {
         let file = model["file"].as_str().unwrap();
-        let splines: Vec<Spline> = mfem::read(&text(&format!("mfem/{file}"))).iter().map(spline).collect();
+        let splines: Vec<Spline> =
+            mfem::read(&text(&format!("mfem/{file}"))).iter().map(spline).collect();
         let found = measure(&shapes(&splines), ACCURACY).unwrap();
         let value = model["measure"].as_f64().unwrap();
         // MFEM's own sum carries some hundred roundings; its rules do not take all digits of the curves.
@@ -37,7 +40,8 @@ fn meshes_of_mfem() {
 #[test]
 fn closed_forms() {
     let meshes = |file: &str| -> Vec<Shape> {
-        let splines: Vec<Spline> = mfem::read(&text(&format!("mfem/{file}"))).iter().map(spline).collect();
+        let splines: Vec<Spline> =
+            mfem::read(&text(&format!("mfem/{file}"))).iter().map(spline).collect();
         shapes(&splines)
     };
     let solid = |file: &str| measure(&meshes(file), ACCURACY).unwrap();
@@ -89,7 +93,9 @@ fn geometries_of_gismo() {
 #[test]
 fn folds_of_models() {
     let mut proved = 0;
-    for file in ["ball-nurbs.mesh", "beam-hex-nurbs.mesh", "pipe-nurbs.mesh", "square-disc-nurbs.mesh"] {
+    for file in
+        ["ball-nurbs.mesh", "beam-hex-nurbs.mesh", "pipe-nurbs.mesh", "square-disc-nurbs.mesh"]
+    {
         for patch in mfem::read(&text(&format!("mfem/{file}"))) {
             let shape: Shape = spline(&patch).into();
             let found = folds(&shape, 1e-9).unwrap();
@@ -111,7 +117,10 @@ fn the_tea_set() {
         let found = area(&shapes(&splines), 1e-9).unwrap();
         let value = model["area"].as_f64().unwrap();
         let uncertain = model["area_uncertainty"].as_f64().unwrap() + 1e-13 * value;
-        assert!((found.value - value).abs() <= found.error + uncertain, "{file}: {found:?} {value}");
+        assert!(
+            (found.value - value).abs() <= found.error + uncertain,
+            "{file}: {found:?} {value}"
+        );
         assert!(found.error <= 1e-9 * value);
         // They do not quite close up.
         assert_eq!(volume(&shapes(&splines), false, 1e-9).unwrap_err().family(), "Degenerate");
