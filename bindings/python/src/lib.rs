@@ -106,6 +106,7 @@ mod _pforms {
     use crate::sheet::PySheet;
     #[pymodule_export]
     use crate::solids::{common, difference, union};
+    #[pymodule_export]
     use crate::sizes::{
         area, bounding_box, centroid, inertia, is_injective, jacobian, slice, volume,
     };
