@@ -1,0 +1,223 @@
+//! A course as splines: in the parameters of the surface, and in space.
+
+use pforms_kernel::{Error, Form, Result};
+
+use super::atlas::Atlas;
+use super::cap::Cap;
+use super::step::along;
+use super::trace::{Chart, Course, Leg};
+use crate::measuring::vector::{norm, plus};
+use crate::{Nodes, Spline, interpolate};
+
+/// A course in the parameters and in space, both over the window from 0 to its length.
+pub(super) struct Drawn {
+    pub parameters: Spline,
+    pub space: Spline,
+    /// How far from the course they are, at most, in units of the atlas.
+    pub error: f64,
+}
+
+/// Numbers of a polynomial of degree 7.
+const ORDER: usize = 8;
+
+/// Pieces of one course at most.
+const MOST: usize = 1 << 18;
+
+/// Halvings of a leg over a collapsed edge.
+const DEPTH: u32 = 40;
+
+/// Draws a course to within `slack`.
+///
+/// Errors: `Accuracy` when that takes too many pieces.
+pub(super) fn drawn(atlas: &Atlas, course: &Course, slack: f64) -> Result<Drawn> {
+    let mut drawing = Drawing {
+        atlas,
+        slack,
+        flat: Vec::new(),
+        flat_breaks: vec![0.0],
+        space: Vec::new(),
+        space_breaks: vec![0.0],
+        error: 0.0,
+    };
+    for leg in &course.legs {
+        match leg.chart {
+            Chart::Piece(net) => drawing.leg(leg, net)?,
+            Chart::Cap(axis, side) => {
+                if let Some(cap) = atlas.cap(axis, side) {
+                    drawing.over_cap(leg, cap, [0.0, 1.0], DEPTH)?;
+                }
+            }
+        }
+    }
+    let lengths =
+        |breaks: &[f64]| -> Vec<f64> { breaks.iter().map(|s| atlas.length(*s)).collect() };
+    Ok(Drawn {
+        parameters: Spline::end_to_end(&drawing.flat, 0, &lengths(&drawing.flat_breaks))?,
+        space: Spline::end_to_end(&drawing.space, 0, &lengths(&drawing.space_breaks))?,
+        error: drawing.error,
+    })
+}
+
+struct Drawing<'a> {
+    atlas: &'a Atlas,
+    slack: f64,
+    flat: Vec<Form>,
+    flat_breaks: Vec<f64>,
+    space: Vec<Form>,
+    space_breaks: Vec<f64>,
+    error: f64,
+}
+
+impl Drawing<'_> {
+    /// A leg over a piece: its polynomials are those of the step.
+    fn leg(&mut self, leg: &Leg, net: usize) -> Result<()> {
+        let index = self.atlas.index(net);
+        let mut poles = Vec::with_capacity(2 * ORDER);
+        for k in 0..ORDER {
+            for axis in 0..2 {
+                poles.push(self.atlas.parameter(axis, index[axis], within(leg.path[axis][k])));
+            }
+        }
+        self.flat.push(Form::from_points(&[ORDER], 2, &poles, None)?);
+        self.flat_breaks.push(leg.from + leg.by);
+        let place = |share: f64| leg.path.map(|poles| along(&poles, share, 1.0)[0]);
+        self.in_space(leg, [0.0, 1.0], &|share| self_point(self.atlas, net, place(share)), DEPTH)
+    }
+
+    /// A leg over the tangent plane of a cap: parameters are found place by place.
+    fn over_cap(&mut self, leg: &Leg, cap: &Cap, part: [f64; 2], depth: u32) -> Result<()> {
+        let run = 1 - cap.axis;
+        let at = |share: f64| -> (usize, [f64; 2], [f64; 2]) {
+            let [u, v] = leg.path.map(|poles| along(&poles, share, leg.by));
+            let (net, place) = cap.place_under([u[0], v[0]], [u[1], v[1]]);
+            (net, place, self.atlas.parameters(net, place.map(within)))
+        };
+        let nodes = Nodes::<f64>::Lobatto.on_axis(0, ORDER)?;
+        let share = |t: f64| part[0] + (part[1] - part[0]) * t;
+        let values: Vec<f64> = nodes.iter().flat_map(|t| at(share(*t)).2).collect();
+        let form = interpolate(&Form::from_points(&[ORDER], 2, &values, None)?, &Nodes::Lobatto)?;
+        let mut worst = 0.0_f64;
+        for pair in nodes.windows(2) {
+            let t = f64::midpoint(pair[0], pair[1]);
+            let (net, place, _) = at(share(t));
+            let point = self_point(self.atlas, net, place);
+            let drawn = form.at(&[t])?;
+            let (net, place) = self.atlas.locate([drawn[0], drawn[1]]);
+            worst = worst.max(norm(&plus(
+                &self_point(self.atlas, net, place.map(within)),
+                -1.0,
+                &point,
+            )));
+        }
+        // Written so that NaN is cut further.
+        let good = worst <= self.slack;
+        if good || depth == 0 {
+            self.error = self.error.max(worst);
+            let mut poles = form.points()?;
+            let last = poles.len() - 2;
+            poles[..2].copy_from_slice(&values[..2]);
+            poles[last..].copy_from_slice(&values[last..]);
+            self.flat.push(Form::from_points(&[ORDER], 2, &poles, None)?);
+            self.flat_breaks.push(leg.from + leg.by * part[1]);
+            let point = |share: f64| {
+                let (net, place, _) = at(share);
+                self_point(self.atlas, net, place)
+            };
+            return self.in_space(leg, part, &point, DEPTH);
+        }
+        // Where the parameter along the edge jumps, at the edge or over a seam, the course is cut.
+        let value = |t: f64| at(share(t)).2[run];
+        let jump = nodes.windows(2).map(|pair| (pair[0], pair[1])).max_by(|a, b| {
+            (value(a.0) - value(a.1)).abs().total_cmp(&(value(b.0) - value(b.1)).abs())
+        });
+        let cut = jump.and_then(|(from, to)| jump_between(&value, from, to)).unwrap_or(0.5);
+        let middle = share(cut);
+        if !(part[0] < middle && middle < part[1]) {
+            return self.over_cap(leg, cap, part, 0);
+        }
+        self.over_cap(leg, cap, [part[0], middle], depth - 1)?;
+        self.over_cap(leg, cap, [middle, part[1]], depth - 1)
+    }
+
+    /// The points of a part of a leg, by a polynomial or more.
+    fn in_space(
+        &mut self,
+        leg: &Leg,
+        part: [f64; 2],
+        point: &impl Fn(f64) -> Vec<f64>,
+        depth: u32,
+    ) -> Result<()> {
+        if self.space.len() >= MOST {
+            return Err(Error::accuracy(
+                "accuracy",
+                self.slack,
+                format!("one that {MOST} pieces reach"),
+            ));
+        }
+        let nodes = Nodes::<f64>::Lobatto.on_axis(0, ORDER)?;
+        let share = |t: f64| part[0] + (part[1] - part[0]) * t;
+        let values: Vec<f64> = nodes.iter().flat_map(|t| point(share(*t))).collect();
+        let ambient = self.atlas.ambient;
+        let form =
+            interpolate(&Form::from_points(&[ORDER], ambient, &values, None)?, &Nodes::Lobatto)?;
+        let mut worst = 0.0_f64;
+        for pair in nodes.windows(2) {
+            let t = f64::midpoint(pair[0], pair[1]);
+            worst = worst.max(norm(&plus(&form.at(&[t])?, -1.0, &point(share(t)))));
+        }
+        let middle = share(0.5);
+        let splits = part[0] < middle && middle < part[1];
+        if worst > self.slack && depth > 0 && splits {
+            self.in_space(leg, [part[0], middle], point, depth - 1)?;
+            return self.in_space(leg, [middle, part[1]], point, depth - 1);
+        }
+        self.error = self.error.max(worst);
+        let mut poles = form.points()?;
+        let last = poles.len() - ambient;
+        poles[..ambient].copy_from_slice(&values[..ambient]);
+        poles[last..].copy_from_slice(&values[last..]);
+        let poles: Vec<f64> =
+            poles.chunks_exact(ambient).flat_map(|pole| self.atlas.point(pole)).collect();
+        self.space.push(Form::from_points(&[ORDER], ambient, &poles, None)?);
+        self.space_breaks.push(leg.from + leg.by * part[1]);
+        Ok(())
+    }
+}
+
+/// Where a function jumps between two places, to the last digit; none if it is only steep.
+fn jump_between(value: &impl Fn(f64) -> f64, from: f64, to: f64) -> Option<f64> {
+    let (mut low, mut high) = (from, to);
+    let whole = (value(high) - value(low)).abs();
+    loop {
+        let middle = f64::midpoint(low, high);
+        if middle <= low || middle >= high || high - low < 1e-15 {
+            break;
+        }
+        let here = value(middle);
+        if (here - value(low)).abs() > (value(high) - here).abs() {
+            high = middle
+        } else {
+            low = middle
+        }
+    }
+    ((value(high) - value(low)).abs() > 0.5 * whole && whole > 0.0).then_some(high)
+}
+
+/// A point of a piece in units of the atlas.
+fn self_point(atlas: &Atlas, net: usize, place: [f64; 2]) -> Vec<f64> {
+    let [point, ..] = atlas.nets[net].jet(place);
+    point
+}
+
+/// A share that lies beyond a side by no more than the slack, on it.
+fn within(share: f64) -> f64 {
+    if share < 0.0 && share > -SLACK {
+        return 0.0;
+    }
+    if share > 1.0 && share < 1.0 + SLACK {
+        return 1.0;
+    }
+    share
+}
+
+const SLACK: f64 = 1e-6;

@@ -1,0 +1,209 @@
+//! Geodesics against closed forms.
+#![allow(clippy::unwrap_used)]
+
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use pforms_kernel::Form;
+use pforms_operators::{
+    Ending, Geodesic, GeodesicOptions, Heading, Part, Poles, Shape, Spline, cone, cylinder,
+    geodesic, scale, sphere, torus,
+};
+use serde_json::Value;
+
+fn truth(id: &str) -> Value {
+    let text = include_str!("../../../cases/truth/closed-forms.json");
+    let all: Value = serde_json::from_str(text).unwrap();
+    all["items"].as_array().unwrap().iter().find(|item| item["id"] == id).unwrap().clone()
+}
+
+fn number(value: &Value) -> f64 {
+    value.as_f64().or_else(|| value.as_str().and_then(|text| text.parse().ok())).unwrap()
+}
+
+fn numbers(value: &Value) -> Vec<f64> {
+    value.as_array().unwrap().iter().map(number).collect()
+}
+
+fn distance(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(x, y)| (x - y) * (x - y)).sum::<f64>().sqrt()
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(x, y)| x * y).sum()
+}
+
+fn to(accuracy: f64) -> GeodesicOptions {
+    GeodesicOptions { accuracy, ..GeodesicOptions::default() }
+}
+
+fn whole(shape: Shape) -> Spline {
+    shape.into_spline()
+}
+
+/// The splines agree with each other and with the surface.
+fn check_drawing(surface: &Spline, line: &Geodesic) {
+    for k in 0..=100 {
+        let at = line.length * f64::from(k) / 100.0;
+        let place = line.parameters.at(&[at]).unwrap();
+        let on = surface.at(&place).unwrap();
+        let point = line.spline.at(&[at]).unwrap();
+        assert!(distance(&on, &point) <= line.error + 1e-14, "{at}: {:e}", distance(&on, &point));
+    }
+}
+
+/// y up: the axes of our torus are x, z, y of the truth.
+#[test]
+fn torus_of_the_truth() {
+    for id in ["torus-geodesic-R3-r1-30deg-L5", "torus-geodesic-R3-r1-70deg-L8"] {
+        let item = truth(id);
+        for part in [Part::Whole, Part::Pieces] {
+            let surface = whole(torus(&3.0, &1.0, part).unwrap());
+            let angle = number(&item["input"]["alpha_deg"]).to_radians();
+            // The start (4, 0, 0) is at the beginning of a turn and of the tube.
+            let start = surface.window(0).unwrap().0;
+            let start = [start, surface.window(1).unwrap().0];
+            let point = surface.at(&start).unwrap();
+            assert!(distance(&point, &[4.0, 0.0, 0.0]) < 1e-14, "{point:?}");
+            let heading = Heading::Vector(vec![0.0, angle.sin(), angle.cos()]);
+            for accuracy in [1e-6, 1e-9, 1e-12] {
+                let length = number(&item["input"]["length"]);
+                let line =
+                    geodesic(surface.clone(), start, &heading, length, &to(accuracy)).unwrap();
+                let end = numbers(&item["values"]["end"]);
+                let end = [end[0], end[2], end[1]];
+                let miss = distance(&line.point, &end);
+                println!(
+                    "{id} {part:?} {accuracy:e}: {miss:e} of {:e}, {} steps",
+                    line.error, line.steps
+                );
+                assert!(
+                    miss <= line.error && line.error <= accuracy * 4.0,
+                    "{miss:e} {:e}",
+                    line.error
+                );
+                assert_eq!(line.ending, Ending::Length);
+                check_drawing(&surface, &line);
+            }
+        }
+    }
+}
+
+#[test]
+fn great_circles_across_the_poles() {
+    for part in [Part::Whole, Part::Pieces] {
+        let surface = whole(sphere(&2.0, part).unwrap());
+        for start in [[0.3, 0.2], [0.5, 0.0], [0.9, 0.7], [1.0, 0.3], [0.0, 0.1]] {
+            let windows = [0, 1].map(|axis| surface.window(axis).unwrap());
+            let start = [0, 1].map(|k| windows[k].0 + (windows[k].1 - windows[k].0) * start[k]);
+            let point = surface.at(&start).unwrap();
+            // Straight over the pole, past it by very little, and aslant.
+            let up = [0.0, 1.0, 0.0];
+            let round = [-point[2], 0.0, point[0]];
+            for lean in [0.0, 1e-12, 1e-6, 1e-3, 0.1, 1.0, 10.0] {
+                let heading: Vec<f64> = up.iter().zip(&round).map(|(a, b)| a + lean * b).collect();
+                let vector =
+                    if point[0].hypot(point[2]) < 1e-9 { vec![1.0, 0.0, 0.7] } else { heading };
+                let inner = dot(&vector, &point) / 4.0;
+                let tangent: Vec<f64> =
+                    vector.iter().zip(&point).map(|(a, b)| a - inner * b).collect();
+                let size = dot(&tangent, &tangent).sqrt();
+                let length = 13.0;
+                let heading = Heading::Vector(vector);
+                let line = geodesic(surface.clone(), start, &heading, length, &to(1e-10)).unwrap();
+                assert_eq!(line.ending, Ending::Length);
+                let (s, c) = (length / 2.0_f64).sin_cos();
+                let end: Vec<f64> =
+                    point.iter().zip(&tangent).map(|(p, t)| c * p + 2.0 * s * t / size).collect();
+                let miss = distance(&line.point, &end);
+                println!(
+                    "{part:?} {start:?} {lean}: {miss:e} of {:e} in {} steps, conj {:?}",
+                    line.error, line.steps, line.conjugate
+                );
+                assert!(miss <= line.error + 1e-15, "{start:?} {lean} {miss:e} {:e}", line.error);
+                assert!((line.conjugate.unwrap() - 2.0 * PI).abs() < 1e-2);
+                check_drawing(&surface, &line);
+            }
+        }
+    }
+}
+
+#[test]
+fn clairaut_on_a_torus_for_long() {
+    let surface = whole(torus(&3.0, &1.0, Part::Pieces).unwrap());
+    let heading = Heading::Vector(vec![0.0, 1.0, 1.0]);
+    let start = [surface.window(0).unwrap().0, surface.window(1).unwrap().0];
+    let line = geodesic(surface, start, &heading, 200.0, &to(1e-10)).unwrap();
+    let constant =
+        |point: &[f64], direction: &[f64]| point[0] * direction[2] - point[2] * direction[0];
+    println!("{} steps, error {:e}", line.steps, line.error);
+    assert!(
+        (constant(&line.point, &line.direction) - 4.0 * FRAC_PI_2.sin() / 2.0_f64.sqrt()).abs()
+            < 1e-10
+    );
+}
+
+#[test]
+fn flat_spheroids() {
+    for thin in [0.1, 0.01, 1e-3, 1e-4] {
+        let surface = scale(&sphere(&1.0, Part::Pieces).unwrap(), &[1.0, thin, 1.0]).unwrap();
+        let surface = whole(surface);
+        let windows = [0, 1].map(|axis| surface.window(axis).unwrap());
+        let start = [0, 1].map(|k| windows[k].0 + (windows[k].1 - windows[k].0) * [0.6, 0.1][k]);
+        let point = surface.at(&start).unwrap();
+        let heading = vec![1.0, 0.1, 0.3];
+        let line = geodesic(surface.clone(), start, &Heading::Vector(heading), 6.0, &to(1e-8));
+        match line {
+            Ok(line) => {
+                let finer = geodesic(
+                    surface.clone(),
+                    start,
+                    &Heading::Vector(vec![1.0, 0.1, 0.3]),
+                    6.0,
+                    &to(1e-10),
+                );
+                let miss = finer.as_ref().map(|finer| distance(&finer.point, &line.point));
+                println!("{thin}: {:e}, {} steps, against finer {miss:?}", line.error, line.steps);
+                let begin = line.spline.derivative(&[1]).unwrap().at(&[0.0]).unwrap();
+                let clairaut = |p: &[f64], d: &[f64]| p[0] * d[2] - p[2] * d[0];
+                println!(
+                    "   clairaut {:e}",
+                    clairaut(&point, &begin) - clairaut(&line.point, &line.direction)
+                );
+            }
+            Err(error) => println!("{thin}: {error}"),
+        }
+    }
+}
+
+#[test]
+fn flat_torus_in_four_dimensions() {
+    let item = truth("flat-torus-in-4-space-1-1");
+    let weights = numbers(&item["form"]["weights"]);
+    let points: Vec<f64> =
+        item["form"]["points"].as_array().unwrap().iter().flat_map(numbers).collect();
+    let surface: Form = Form::from_points(&[3, 3], 4, &points, Some(&weights)).unwrap();
+    let heading = Heading::Vector(vec![0.0, 1.0, 0.0, 1.0]);
+    let line = geodesic(surface.clone(), [0.0, 0.0], &heading, 10.0, &to(1e-11)).unwrap();
+    println!("{:?} {} {:e}", line.ending, line.length, line.error);
+    assert_eq!(line.ending, Ending::Border);
+    assert!((line.length - number(&item["values"]["corner_geodesic"])).abs() <= line.error);
+}
+
+#[test]
+fn cones_and_cylinders() {
+    let surface = whole(cylinder(&2.0, &3.0, Part::Whole).unwrap());
+    let line =
+        geodesic(surface.clone(), [0.0, 0.0], &Heading::Vector(vec![0., 1., 3.]), 50.0, &to(1e-10))
+            .unwrap();
+    println!("{:?} {} {:e}", line.ending, line.length, line.error);
+    assert_eq!(line.ending, Ending::Border);
+    assert!((line.length - 3.0 * 10.0_f64.sqrt()).abs() <= line.error);
+    check_drawing(&surface, &line);
+    let surface = whole(cone(&1.0, &2.0, &0.0, Part::Pieces).unwrap());
+    let line =
+        geodesic(surface.clone(), [0.0, 0.6], &Heading::Parameters([1., 0.]), 50.0, &to(1e-10))
+            .unwrap();
+    println!("{:?} {} {:e}", line.ending, line.length, line.error);
+    assert_eq!(line.ending, Ending::Collapsed);
+    assert!((line.length - 5.0_f64.sqrt()).abs() <= line.error);
+}
