@@ -5,8 +5,8 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use pforms_kernel::Form;
 use pforms_operators::{
-    Ending, Geodesic, GeodesicOptions, Heading, Part, Poles, Shape, Spline, cone, cylinder,
-    geodesic, scale, sphere, torus,
+    Ending, Geodesic, GeodesicOptions, Heading, Part, Shape, Spline, cone, cylinder, geodesic,
+    scale, sphere, torus,
 };
 use serde_json::Value;
 
@@ -145,7 +145,8 @@ fn clairaut_on_a_torus_for_long() {
 #[test]
 fn flat_spheroids() {
     for thin in [0.1, 0.01, 1e-3, 1e-4] {
-        let surface = scale(&sphere(&1.0, Part::Pieces).unwrap(), &[1.0, thin, 1.0]).unwrap();
+        let surface =
+            scale(&sphere(&1.0, Part::Pieces).unwrap(), &[1.0, thin, 1.0], &[0.0; 3]).unwrap();
         let surface = whole(surface);
         let windows = [0, 1].map(|axis| surface.window(axis).unwrap());
         let start = [0, 1].map(|k| windows[k].0 + (windows[k].1 - windows[k].0) * [0.6, 0.1][k]);

@@ -303,11 +303,9 @@ fn middle(pieces: &[Form], unit: i32) -> (Vec<f64>, i32) {
         .map(|[low, high]| if low <= high { f64::midpoint(*low, *high) } else { 0.0 })
         .collect();
     let mut reach = 0.0_f64;
-    for pole in poles() {
+    for pole in poles().filter(|pole| is_near(pole)) {
         let weight = pole[ambient];
-        let divisor = if is_near(pole) { weight } else { 1.0 };
-        let offsets =
-            pole.iter().zip(&centre).map(|(x, c)| (shifted(*x, -unit) - c * weight) / divisor);
+        let offsets = pole.iter().zip(&centre).map(|(x, c)| shifted(*x, -unit) / weight - c);
         reach = offsets.fold(reach, |most, x| most.max(x.abs()));
     }
     if reach <= ROUNDING * norm(&centre) || reach == 0.0 {

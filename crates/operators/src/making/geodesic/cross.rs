@@ -14,14 +14,17 @@ pub(super) fn exit(path: &Path, slack: [f64; 2]) -> Option<(usize, usize, f64)> 
     for (axis, (poles, slack)) in path.iter().zip(slack).enumerate() {
         for side in 0..2 {
             let inside = poles.map(|x| if side == 0 { x } else { 1.0 - x });
-            if inside.iter().all(|x| *x >= -slack) {
+            // Beyond at the end, and about to be so by more: gone as well.
+            let leaving = inside[7] < 0.0 && 7.0 * (inside[6] - inside[7]) > slack;
+            if !leaving && inside.iter().all(|x| *x >= -slack) {
                 continue;
             }
             let lowered = inside.map(|x| x + slack);
-            let gone =
-                if lowered[0] < 0.0 { Some(0.0) } else { sign_changes(&lowered).first().copied() };
-            let Some(gone) = gone.or_else(|| (lowered[7] < 0.0).then_some(1.0)) else {
-                continue;
+            let gone = match sign_changes(&lowered).first() {
+                _ if lowered[0] < 0.0 => 0.0,
+                Some(t) => *t,
+                None if leaving || lowered[7] < 0.0 => 1.0,
+                None => continue,
             };
             let on = sign_changes(&inside).into_iter().rfind(|t| *t <= gone);
             let on = on.unwrap_or(if inside[0] > 0.0 { gone } else { 0.0 });

@@ -23,6 +23,9 @@ const ORDER: usize = 8;
 /// Pieces of one course at most.
 const MOST: usize = 1 << 18;
 
+/// Parts of a leg below this length are left out: nobody can tell.
+const SHORT: f64 = 1e-14;
+
 /// Halvings of a leg over a collapsed edge.
 const DEPTH: u32 = 40;
 
@@ -87,6 +90,9 @@ impl Drawing<'_> {
     /// A leg over the tangent plane of a cap: parameters are found place by place.
     fn over_cap(&mut self, leg: &Leg, cap: &Cap, part: [f64; 2], depth: u32) -> Result<()> {
         let run = 1 - cap.axis;
+        if leg.by * (part[1] - part[0]) <= SHORT {
+            return Ok(());
+        }
         let at = |share: f64| -> (usize, [f64; 2], [f64; 2]) {
             let [u, v] = leg.path.map(|poles| along(&poles, share, leg.by));
             let (net, place) = cap.place_under([u[0], v[0]], [u[1], v[1]]);
@@ -130,13 +136,10 @@ impl Drawing<'_> {
         let jump = nodes.windows(2).map(|pair| (pair[0], pair[1])).max_by(|a, b| {
             (value(a.0) - value(a.1)).abs().total_cmp(&(value(b.0) - value(b.1)).abs())
         });
-        let cut = jump.and_then(|(from, to)| jump_between(&value, from, to)).unwrap_or(0.5);
-        let middle = share(cut);
-        if !(part[0] < middle && middle < part[1]) {
-            return self.over_cap(leg, cap, part, 0);
-        }
-        self.over_cap(leg, cap, [part[0], middle], depth - 1)?;
-        self.over_cap(leg, cap, [middle, part[1]], depth - 1)
+        let cut = jump.and_then(|(from, to)| jump_between(&value, from, to));
+        let (before, after) = cut.unwrap_or((0.5, 0.5));
+        self.over_cap(leg, cap, [part[0], share(before)], depth - 1)?;
+        self.over_cap(leg, cap, [share(after), part[1]], depth - 1)
     }
 
     /// The points of a part of a leg, by a polynomial or more.
@@ -185,7 +188,7 @@ impl Drawing<'_> {
 }
 
 /// Where a function jumps between two places, to the last digit; none if it is only steep.
-fn jump_between(value: &impl Fn(f64) -> f64, from: f64, to: f64) -> Option<f64> {
+fn jump_between(value: &impl Fn(f64) -> f64, from: f64, to: f64) -> Option<(f64, f64)> {
     let (mut low, mut high) = (from, to);
     let whole = (value(high) - value(low)).abs();
     loop {
@@ -200,7 +203,7 @@ fn jump_between(value: &impl Fn(f64) -> f64, from: f64, to: f64) -> Option<f64> 
             low = middle
         }
     }
-    ((value(high) - value(low)).abs() > 0.5 * whole && whole > 0.0).then_some(high)
+    ((value(high) - value(low)).abs() > 0.5 * whole && whole > 0.0).then_some((low, high))
 }
 
 /// A point of a piece in units of the atlas.

@@ -75,13 +75,18 @@ impl Growth {
     }
 }
 
+/// Curvature times the square of a step, at most.
+const BENT: f64 = 4.0;
+
 /// A Jacobi field over a step, by two steps of order 4.
 fn carried(start: [f64; 2], by: f64, curvatures: &Curvatures) -> [f64; 2] {
     let h = by / 2.0;
+    // A step bends little, or it would not have been taken: more is rounding, as beside an apex.
+    let most = BENT / (by * by);
     let mut at = start;
     for half in 0..2 {
         let k = &curvatures[2 * half..];
-        let slope = |[y, s]: [f64; 2], k: f64| [s, -k * y];
+        let slope = |[y, s]: [f64; 2], k: f64| [s, -k.clamp(-most, most) * y];
         let moved = |d: [f64; 2], by: f64| [at[0] + by * d[0], at[1] + by * d[1]];
         let a = slope(at, k[0]);
         let b = slope(moved(a, h / 2.0), k[1]);

@@ -293,12 +293,12 @@ impl Tracer<'_> {
             Chart::Piece(net) => {
                 let [m, n] = self.atlas.nets[net].orders;
                 let [u, v] = self.course.state.velocity;
-                u.abs() * m as f64 + v.abs() * n as f64
+                u.abs() * (m - 1) as f64 + v.abs() * (n - 1) as f64
             }
             Chart::Cap(..) => 4.0,
         };
         let share = by * pace;
-        [f64::EPSILON * (2.0 + share), f64::EPSILON * (2.0 + 4.0 * pace * share)]
+        [f64::EPSILON * (1.0 + share), f64::EPSILON * (1.0 + pace * share)]
     }
 
     fn accept(&mut self, tried: &Tried) {
