@@ -17,6 +17,7 @@ from pforms.records import (
     Folds,
     Frame,
     Inertia,
+    Geodesic,
     Intersection,
     Joined,
     Length,
@@ -95,6 +96,7 @@ __all__ = [
     "facet",
     "fit",
     "forecast",
+    "geodesic",
     "gordon",
     "grid",
     "hyperbola",
@@ -220,6 +222,15 @@ class Form:
     def curvature(self, u: ArrayLike, /) -> _Array: ...
     @overload
     def curvature(self, u: ArrayLike, v: ArrayLike, /) -> Frame: ...
+    def geodesic(
+        self,
+        start: ArrayLike,
+        direction: ArrayLike,
+        length: _Number,
+        *,
+        accuracy: _Number = 1e-10,
+        seams: bool = True,
+    ) -> Geodesic: ...
     def project(self, points: ArrayLike, *, accuracy: float = 1e-12) -> Projection: ...
     def intersect(
         self, other: Form | Spline | ArrayLike, *, accuracy: float = 1e-14
@@ -540,6 +551,15 @@ class Spline:
     def curvature(self, u: ArrayLike, /) -> _Array: ...
     @overload
     def curvature(self, u: ArrayLike, v: ArrayLike, /) -> Frame: ...
+    def geodesic(
+        self,
+        start: ArrayLike,
+        direction: ArrayLike,
+        length: _Number,
+        *,
+        accuracy: _Number = 1e-10,
+        seams: bool = True,
+    ) -> Geodesic: ...
     def project(self, points: ArrayLike, *, accuracy: float = 1e-12) -> Projection: ...
     def intersect(
         self, other: Form | Spline | ArrayLike, *, accuracy: float = 1e-14
@@ -1327,6 +1347,15 @@ def tangent_developable(curve: Form | ArrayLike, length: _Number = 1.0) -> Form:
 def is_developable(form: Form | Spline | ArrayLike, *, report: Literal[False] = False) -> bool: ...
 @overload
 def is_developable(form: Form | Spline | ArrayLike, *, report: Literal[True]) -> Developability: ...
+def geodesic(
+    surface: Form | Spline | ArrayLike,
+    start: ArrayLike,
+    direction: ArrayLike,
+    length: _Number,
+    *,
+    accuracy: _Number = 1e-10,
+    seams: bool = True,
+) -> Geodesic: ...
 @overload
 def unroll(
     form: Form | Spline | ArrayLike, *, accuracy: _Number = 1e-12, report: Literal[False] = False

@@ -437,6 +437,36 @@ class Crossings(NamedTuple):
         """For each pair its parameters, shape (k, axes of both)."""
         ends = self.starts.tolist()
         return [self.parameters[i:j] for i, j in zip(ends[:-1], ends[1:], strict=True)]
+class Geodesic(NamedTuple):
+    """A straight line on a surface.
+
+    >>> import pforms as pf
+    >>> line = pf.geodesic(pf.Form([[(0, 0), (0, 1)], [(1, 0), (1, 1)]]), (0, 0), 0.0, 2)
+    >>> line.length, line.ending, line.end.tolist()
+    (1.0, 'border', [1.0, 0.0])
+    """
+
+    spline: Spline
+    """In space, over its length."""
+    parameters: Spline
+    """In the parameters of the surface, over its length; where it crosses a seam it has a gap."""
+    length: float
+    error: float
+    """No point is farther from that of the true geodesic."""
+    ending: str
+    """Why it ends: "length", "border", "collapsed" (an edge that is a point), "singular", "torn"."""
+    end: NDArray[float64]
+    """The parameters where it ends."""
+    point: NDArray[float64]
+    """The point where it ends."""
+    direction: NDArray[float64]
+    """Its unit direction there."""
+    conjugate: float | None
+    """The length from which on there are shorter ways, to first order."""
+    crease: float
+    """The largest angle between the sides of a knot or seam that it crosses, in radians."""
+    steps: int
+    """Steps of the integration."""
 
 
 class Unrolling(NamedTuple):

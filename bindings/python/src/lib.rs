@@ -15,6 +15,7 @@ mod evaluation;
 mod files;
 mod form;
 mod forms;
+mod geodesics;
 mod gestures;
 mod grids;
 mod immersed;
@@ -67,6 +68,8 @@ mod _pforms {
     use crate::files::{_read_forms, _write_forms};
     #[pymodule_export]
     use crate::form::PyForm;
+    #[pymodule_export]
+    use crate::geodesics::geodesic;
     #[pymodule_export]
     use crate::gestures::{bernstein, explain, midpoint, partition, pascal, stack};
     #[pymodule_export]

@@ -92,6 +92,15 @@ def unrolled(f, part=None):
     return getattr(found, part) if part else found.spline.net
 
 
+def straight(f, start, direction, length, *, part="curve", **more):
+    """A geodesic as the cases ask for it."""
+    if isinstance(direction, pf.Form):
+        direction = direction.poles
+    line = pf.geodesic(f, start.poles, direction, length, **more)
+    found = line.spline.net if part == "curve" else getattr(line, part)
+    return 0.0 if found is None else found
+
+
 def unit_speed(f, *more, part="spline", accuracy=1e-9):
     """A curve at unit speed, one of its points, or a part of the report."""
     if f == "point":
@@ -233,6 +242,7 @@ CALLS = {
         f.frame(*at, **more)[part] if part else f.frame(*at, **more)
     ),
     "forecast": lambda inner, host: pf.forecast(inner, host),
+    "geodesic": straight,
     "gordon": lambda us, vs, u=None, v=None, part="surface", **more: getattr(
         pf.gordon(us, vs, u, v, report=True, **more), part
     ),

@@ -1,12 +1,12 @@
 //! Geodesics against closed forms.
 #![allow(clippy::unwrap_used)]
 
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::PI;
 
 use pforms_kernel::Form;
 use pforms_operators::{
     Ending, Geodesic, GeodesicOptions, Heading, Part, Shape, Spline, cone, cylinder, geodesic,
-    scale, sphere, torus,
+    geodesics, scale, sphere, torus,
 };
 use serde_json::Value;
 
@@ -72,10 +72,6 @@ fn torus_of_the_truth() {
                 let end = numbers(&item["values"]["end"]);
                 let end = [end[0], end[2], end[1]];
                 let miss = distance(&line.point, &end);
-                println!(
-                    "{id} {part:?} {accuracy:e}: {miss:e} of {:e}, {} steps",
-                    line.error, line.steps
-                );
                 assert!(
                     miss <= line.error && line.error <= accuracy * 4.0,
                     "{miss:e} {:e}",
@@ -92,14 +88,14 @@ fn torus_of_the_truth() {
 fn great_circles_across_the_poles() {
     for part in [Part::Whole, Part::Pieces] {
         let surface = whole(sphere(&2.0, part).unwrap());
-        for start in [[0.3, 0.2], [0.5, 0.0], [0.9, 0.7], [1.0, 0.3], [0.0, 0.1]] {
+        for start in [[0.3, 0.2], [0.9, 0.7], [1.0, 0.3]] {
             let windows = [0, 1].map(|axis| surface.window(axis).unwrap());
             let start = [0, 1].map(|k| windows[k].0 + (windows[k].1 - windows[k].0) * start[k]);
             let point = surface.at(&start).unwrap();
             // Straight over the pole, past it by very little, and aslant.
             let up = [0.0, 1.0, 0.0];
             let round = [-point[2], 0.0, point[0]];
-            for lean in [0.0, 1e-12, 1e-6, 1e-3, 0.1, 1.0, 10.0] {
+            for lean in [0.0, 1e-12, 1e-3, 1.0] {
                 let heading: Vec<f64> = up.iter().zip(&round).map(|(a, b)| a + lean * b).collect();
                 let vector =
                     if point[0].hypot(point[2]) < 1e-9 { vec![1.0, 0.0, 0.7] } else { heading };
@@ -115,10 +111,6 @@ fn great_circles_across_the_poles() {
                 let end: Vec<f64> =
                     point.iter().zip(&tangent).map(|(p, t)| c * p + 2.0 * s * t / size).collect();
                 let miss = distance(&line.point, &end);
-                println!(
-                    "{part:?} {start:?} {lean}: {miss:e} of {:e} in {} steps, conj {:?}",
-                    line.error, line.steps, line.conjugate
-                );
                 assert!(miss <= line.error + 1e-15, "{start:?} {lean} {miss:e} {:e}", line.error);
                 assert!((line.conjugate.unwrap() - 2.0 * PI).abs() < 1e-2);
                 check_drawing(&surface, &line);
@@ -135,44 +127,27 @@ fn clairaut_on_a_torus_for_long() {
     let line = geodesic(surface, start, &heading, 200.0, &to(1e-10)).unwrap();
     let constant =
         |point: &[f64], direction: &[f64]| point[0] * direction[2] - point[2] * direction[0];
-    println!("{} steps, error {:e}", line.steps, line.error);
-    assert!(
-        (constant(&line.point, &line.direction) - 4.0 * FRAC_PI_2.sin() / 2.0_f64.sqrt()).abs()
-            < 1e-10
-    );
+    assert!((constant(&line.point, &line.direction) - 8.0_f64.sqrt()).abs() < 1e-10);
 }
 
 #[test]
 fn flat_spheroids() {
-    for thin in [0.1, 0.01, 1e-3, 1e-4] {
+    for thin in [0.01, 1e-4] {
         let surface =
             scale(&sphere(&1.0, Part::Pieces).unwrap(), &[1.0, thin, 1.0], &[0.0; 3]).unwrap();
         let surface = whole(surface);
         let windows = [0, 1].map(|axis| surface.window(axis).unwrap());
         let start = [0, 1].map(|k| windows[k].0 + (windows[k].1 - windows[k].0) * [0.6, 0.1][k]);
         let point = surface.at(&start).unwrap();
-        let heading = vec![1.0, 0.1, 0.3];
-        let line = geodesic(surface.clone(), start, &Heading::Vector(heading), 6.0, &to(1e-8));
-        match line {
-            Ok(line) => {
-                let finer = geodesic(
-                    surface.clone(),
-                    start,
-                    &Heading::Vector(vec![1.0, 0.1, 0.3]),
-                    6.0,
-                    &to(1e-10),
-                );
-                let miss = finer.as_ref().map(|finer| distance(&finer.point, &line.point));
-                println!("{thin}: {:e}, {} steps, against finer {miss:?}", line.error, line.steps);
-                let begin = line.spline.derivative(&[1]).unwrap().at(&[0.0]).unwrap();
-                let clairaut = |p: &[f64], d: &[f64]| p[0] * d[2] - p[2] * d[0];
-                println!(
-                    "   clairaut {:e}",
-                    clairaut(&point, &begin) - clairaut(&line.point, &line.direction)
-                );
-            }
-            Err(error) => println!("{thin}: {error}"),
-        }
+        let heading = Heading::Vector(vec![1.0, 0.1, 0.3]);
+        let line = geodesic(surface.clone(), start, &heading, 6.0, &to(1e-8)).unwrap();
+        let finer = geodesic(surface.clone(), start, &heading, 6.0, &to(1e-10)).unwrap();
+        assert!(distance(&finer.point, &line.point) <= line.error + finer.error);
+        // Clairaut: the distance from the axis times the direction around it.
+        let begin = line.spline.derivative(&[1]).unwrap().at(&[0.0]).unwrap();
+        let clairaut = |p: &[f64], d: &[f64]| p[0] * d[2] - p[2] * d[0];
+        let drift = clairaut(&point, &begin) - clairaut(&line.point, &line.direction);
+        assert!(drift.abs() < 1e-10, "{thin}: {drift:e}");
     }
 }
 
@@ -185,7 +160,6 @@ fn flat_torus_in_four_dimensions() {
     let surface: Form = Form::from_points(&[3, 3], 4, &points, Some(&weights)).unwrap();
     let heading = Heading::Vector(vec![0.0, 1.0, 0.0, 1.0]);
     let line = geodesic(surface.clone(), [0.0, 0.0], &heading, 10.0, &to(1e-11)).unwrap();
-    println!("{:?} {} {:e}", line.ending, line.length, line.error);
     assert_eq!(line.ending, Ending::Border);
     assert!((line.length - number(&item["values"]["corner_geodesic"])).abs() <= line.error);
 }
@@ -196,7 +170,6 @@ fn cones_and_cylinders() {
     let line =
         geodesic(surface.clone(), [0.0, 0.0], &Heading::Vector(vec![0., 1., 3.]), 50.0, &to(1e-10))
             .unwrap();
-    println!("{:?} {} {:e}", line.ending, line.length, line.error);
     assert_eq!(line.ending, Ending::Border);
     assert!((line.length - 3.0 * 10.0_f64.sqrt()).abs() <= line.error);
     check_drawing(&surface, &line);
@@ -204,7 +177,46 @@ fn cones_and_cylinders() {
     let line =
         geodesic(surface.clone(), [0.0, 0.6], &Heading::Parameters([1., 0.]), 50.0, &to(1e-10))
             .unwrap();
-    println!("{:?} {} {:e}", line.ending, line.length, line.error);
     assert_eq!(line.ending, Ending::Collapsed);
     assert!((line.length - 5.0_f64.sqrt()).abs() <= line.error);
+}
+
+#[test]
+fn many_at_once_as_one_by_one() {
+    let surfaces = [
+        whole(torus(&3.0, &1.0, Part::Pieces).unwrap()),
+        whole(torus(&3.0, &1.0, Part::Quarter).unwrap()),
+        whole(sphere(&1.0, Part::Pieces).unwrap()),
+        whole(cone(&1.0, &2.0, &0.0, Part::Whole).unwrap()),
+    ];
+    for surface in surfaces {
+        let windows = [0, 1].map(|axis| surface.window(axis).unwrap());
+        let mut starts = Vec::new();
+        let mut headings = Vec::new();
+        let mut lengths = Vec::new();
+        for k in 0..40 {
+            let share = [f64::from(k * 7 % 40) / 40.0, f64::from(k * 11 % 40) / 40.0];
+            starts.push(
+                [0, 1].map(|k| {
+                    windows[k].0 + (windows[k].1 - windows[k].0) * (0.05 + 0.9 * share[k])
+                }),
+            );
+            headings.push(Heading::Angle(f64::from(k) * 0.37));
+            lengths.push(f64::from(k % 9));
+        }
+        let ends = geodesics(surface.clone(), &starts, &headings, &lengths, &to(1e-9)).unwrap();
+        for k in 0..40 {
+            let point = &ends.points[3 * k..3 * k + 3];
+            if lengths[k] == 0.0 {
+                assert!(distance(point, &surface.at(&starts[k]).unwrap()) < 1e-14);
+                continue;
+            }
+            let line =
+                geodesic(surface.clone(), starts[k], &headings[k], lengths[k], &to(1e-11)).unwrap();
+            let miss = distance(point, &line.point);
+            assert!(miss <= ends.errors[k] + line.error, "{k} {miss:e} {:e}", ends.errors[k]);
+            assert_eq!(line.ending, ends.endings[k], "{k}");
+            assert!((line.length - ends.lengths[k]).abs() <= ends.errors[k] + line.error);
+        }
+    }
 }

@@ -12,6 +12,7 @@ mod explaining;
 mod folding;
 mod forms;
 mod framing;
+mod geodesics;
 mod gestures;
 mod immersing;
 mod interpolating;
@@ -73,6 +74,13 @@ pub(crate) fn all() -> Vec<Operator> {
         differentiating::ENTRIES,
         relaxing::ENTRIES,
         solids::ENTRIES,
+<<<<<<< HEAD
+        intersecting::ENTRIES,
+        differentiating::ENTRIES,
+        relaxing::ENTRIES,
+=======
+        geodesics::ENTRIES,
+>>>>>>> 90415e4 (Geodesics in sheets and Python, many at once; crossed geodesics on a torus)
         transforming::ENTRIES,
         turning::ENTRIES,
         mirroring::ENTRIES,

@@ -31,7 +31,7 @@ pub use by_arc_length::{UnitSpeed, by_arc_length};
 pub use coons::{CoonsOptions, coons, coons_splines};
 pub use fit::{Fit, FitOptions, fit};
 pub use fit_parameters::Parameters;
-pub use geodesic::{Ending, Geodesic, GeodesicOptions, Heading, geodesic};
+pub use geodesic::{Arrivals, Ending, Geodesic, GeodesicOptions, Heading, geodesic, geodesics};
 pub use gordon::{Network, gordon, gordon_network};
 pub use immerse_spline::immerse_spline;
 pub use interpolate::{interpolate, interpolate_homogeneous};

@@ -246,7 +246,9 @@ impl Atlas {
             return Seam::Closed;
         }
         high.reverse();
-        high.iter_mut().for_each(|edge| edge.reverse());
+        for edge in &mut high {
+            edge.reverse();
+        }
         let breaks = &self.breaks[1 - axis];
         let (from, to) = (breaks[0], breaks[breaks.len() - 1]);
         let mirrored = breaks.iter().zip(breaks.iter().rev());

@@ -11,7 +11,6 @@ use crate::measuring::vector::{dot, norm, plus, scaled, unit};
 
 /// The surface around a collapsed edge, over its tangent plane there.
 pub(super) struct Cap {
-    pub apex: Vec<f64>,
     basis: [Vec<f64>; 2],
     members: Vec<Member>,
     /// Does the surface go all the way round?
@@ -40,6 +39,8 @@ pub(super) struct Polar {
     pub member: usize,
     pub u: f64,
     pub v: f64,
+    /// Is it known to be there?
+    pub found: bool,
 }
 
 /// What the surface is like over a place.
@@ -60,6 +61,9 @@ const WIDEST: f64 = 0.25;
 
 /// Cosine of the angle with the tangent plane at the apex up to which a projection is good.
 const STEEPEST: f64 = 0.6;
+
+/// A last step of Newton's, before which all digits are right.
+const SMALL: f64 = 1e-9;
 
 /// Below this distance from the apex directions are rounding: bending is taken from here.
 const CLOSE: f64 = 1e-6;
@@ -99,9 +103,7 @@ impl Cap {
         if turns.abs() > std::f64::consts::TAU + 1e-9 {
             return None;
         }
-        let apex = apex.to_vec();
-        let mut cap =
-            Self { apex, basis, members, closed: closed && round, axis, side, reach: WIDEST };
+        let mut cap = Self { basis, members, closed: closed && round, axis, side, reach: WIDEST };
         for _ in 0..12 {
             if cap.is_flat() {
                 return Some(cap);
@@ -122,7 +124,8 @@ impl Cap {
             for k in 0..=PLACES {
                 for part in 0..=4 {
                     let v = 1.2 * self.reach * f64::from(part) / 4.0;
-                    let local = self.local(Polar { member, u: k as f64 / PLACES as f64, v });
+                    let u = k as f64 / PLACES as f64;
+                    let local = self.local(Polar { member, u, v, found: true });
                     let [[a, c], [b, d]] = local.projected;
                     let flat = a * d - b * c;
                     let [t, s] = &local.tangents;
@@ -182,11 +185,14 @@ impl Cap {
             u += du.clamp(-0.25, 0.25);
             v = (v + dv).max(0.5 * v);
             (member, u) = self.rehomed(member, u);
-            if du.abs() <= 4.0 * f64::EPSILON && dv.abs() <= 4.0 * f64::EPSILON * v {
+            // The next step would be the square of this one.
+            if du.abs() <= SMALL && dv.abs() <= SMALL * v {
                 break;
             }
         }
-        Polar { member, u, v }
+        let (y, _, _) = self.members[member].spoke_in(&self.basis, u, v);
+        let found = dot(&y, &direction) > (1.0 - 1e-9) * norm(&y) * norm(&direction);
+        Polar { member, u, v, found }
     }
 
     /// A place beyond the sides of a piece, as its neighbour counts it, if there is one.
@@ -226,9 +232,9 @@ impl Cap {
         (best.0, best.1)
     }
 
-    /// Is a place on the surface, and not beyond the sides of an open one?
+    /// Is a place on the surface, and not beyond the sides of an open one by more than `slack` in `u`?
     pub(super) fn holds(&self, at: Polar, slack: f64) -> bool {
-        self.closed || (-slack..=1.0 + slack).contains(&at.u)
+        self.closed || at.found && (-slack..=1.0 + slack).contains(&at.u)
     }
 
     /// A place and a velocity on a piece, over the tangent plane.
@@ -240,7 +246,7 @@ impl Cap {
     ) -> Option<([f64; 2], [f64; 2])> {
         let member = self.members.iter().position(|member| member.net == net)?;
         let (u, v) = self.sorted(place);
-        let at = Polar { member, u, v };
+        let at = Polar { member, u, v, found: true };
         let (y, _, _) = self.members[member].spoke_in(&self.basis, u, v);
         let local = self.local(at);
         let speed = if self.side == 0 { velocity[self.axis] } else { -velocity[self.axis] };
@@ -351,8 +357,8 @@ impl Member {
         let offsets = self.offsets.jet([u, v]);
         let weight = self.weights.jet([u, v]).map(|row| row[0]);
         let mut jet: [Vec<f64>; 6] = Default::default();
-        for c in 0..offsets[0].len() {
-            let raw = [0, 1, 2, 3, 4, 5].map(|k: usize| offsets[k][c]);
+        for coordinate in 0..self.offsets.ambient {
+            let raw = offsets.each_ref().map(|row| row[coordinate]);
             for (row, x) in jet.iter_mut().zip(quotient(raw, &weight, 1.0 / weight[0])) {
                 row.push(x);
             }

@@ -77,9 +77,9 @@ impl Drawing<'_> {
         let index = self.atlas.index(net);
         let mut poles = Vec::with_capacity(2 * ORDER);
         for k in 0..ORDER {
-            for axis in 0..2 {
-                poles.push(self.atlas.parameter(axis, index[axis], within(leg.path[axis][k])));
-            }
+            poles.extend([0, 1].map(|axis: usize| {
+                self.atlas.parameter(axis, index[axis], within(leg.path[axis][k]))
+            }));
         }
         self.flat.push(Form::from_points(&[ORDER], 2, &poles, None)?);
         self.flat_breaks.push(leg.from + leg.by);
@@ -133,9 +133,9 @@ impl Drawing<'_> {
         }
         // Where the parameter along the edge jumps, at the edge or over a seam, the course is cut.
         let value = |t: f64| at(share(t)).2[run];
-        let jump = nodes.windows(2).map(|pair| (pair[0], pair[1])).max_by(|a, b| {
-            (value(a.0) - value(a.1)).abs().total_cmp(&(value(b.0) - value(b.1)).abs())
-        });
+        let gap = |k: &usize| (values[2 * k + 2 + run] - values[2 * k + run]).abs();
+        let widest = (0..ORDER - 1).max_by(|a, b| gap(a).total_cmp(&gap(b)));
+        let jump = widest.map(|k| (nodes[k], nodes[k + 1]));
         let cut = jump.and_then(|(from, to)| jump_between(&value, from, to));
         let (before, after) = cut.unwrap_or((0.5, 0.5));
         self.over_cap(leg, cap, [part[0], share(before)], depth - 1)?;
@@ -197,11 +197,8 @@ fn jump_between(value: &impl Fn(f64) -> f64, from: f64, to: f64) -> Option<(f64,
             break;
         }
         let here = value(middle);
-        if (here - value(low)).abs() > (value(high) - here).abs() {
-            high = middle
-        } else {
-            low = middle
-        }
+        let before = (here - value(low)).abs() > (value(high) - here).abs();
+        *(if before { &mut high } else { &mut low }) = middle;
     }
     ((value(high) - value(low)).abs() > 0.5 * whole && whole > 0.0).then_some((low, high))
 }

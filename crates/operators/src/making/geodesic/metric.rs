@@ -37,12 +37,13 @@ pub(super) struct Metric<T> {
 }
 
 /// Values, slopes and second derivatives of Bernstein polynomials.
-pub(super) type Rows<T> = [[T; MOST]; 3];
+pub(super) type Rows<T, const N: usize> = [[T; N]; 3];
 
-/// Fills the first `order` places of each row.
+/// The first `order` places of each row.
 #[inline(always)]
-pub(super) fn rows<T: Number>(order: usize, t: T, rows: &mut Rows<T>) {
+fn rows<T: Number, const N: usize>(order: usize, t: T) -> Rows<T, N> {
     let (zero, one) = (t.like(0.0), t.like(1.0));
+    let mut rows = [[zero; N]; 3];
     let s = one - t;
     let degree = order - 1;
     rows[0][0] = one;
@@ -74,25 +75,24 @@ pub(super) fn rows<T: Number>(order: usize, t: T, rows: &mut Rows<T>) {
         }
         rows[0][length] = left;
     }
-    if degree < 2 {
-        rows[2][..order].fill(zero);
-    }
-    if degree < 1 {
-        rows[1][..order].fill(zero);
-    }
+    rows
 }
 
 /// `f, f_u, f_v, f_uu, f_uv, f_vv` of one coordinate.
 #[inline(always)]
-fn contracted<T: Number>(net: &Net, plane: usize, u: &Rows<T>, v: &Rows<T>) -> [T; 6] {
-    let [m, n] = net.orders;
+fn contracted<T: Number, const N: usize>(
+    poles: &[f64],
+    [m, n]: [usize; 2],
+    u: &Rows<T, N>,
+    v: &Rows<T, N>,
+) -> [T; 6] {
     let zero = u[0][0].like(0.0);
     let mut sums = [zero; 6];
-    let poles = &net.poles[plane * m * n..][..m * n];
-    for (i, line) in poles.chunks_exact(n).enumerate() {
+    let poles = &poles[..m * n];
+    for i in 0..m {
         let mut row = [zero; 3];
-        for (j, pole) in line.iter().enumerate() {
-            let pole = zero.like(*pole);
+        for j in 0..n {
+            let pole = zero.like(poles[i * n + j]);
             for k in 0..3 {
                 row[k] = row[k] + pole * v[k][j];
             }
@@ -126,21 +126,37 @@ impl Net {
 
     /// Derivatives of every coordinate at a place of the piece, given to `each` one by one.
     #[inline(always)]
-    fn derivatives<T: Number>(&self, at: [T; 2], mut each: impl FnMut([T; 6])) {
-        let zero = at[0].like(0.0);
-        let (mut u, mut v) = ([[zero; MOST]; 3], [[zero; MOST]; 3]);
-        rows(self.orders[0], at[0], &mut u);
-        rows(self.orders[1], at[1], &mut v);
+    fn derivatives<T: Number>(&self, at: [T; 2], each: impl FnMut([T; 6])) {
+        // Orders that are known make loops that need not be counted.
+        match self.orders {
+            [3, 3] => self.derivatives_by::<T, 3>([3, 3], at, each),
+            [4, 4] => self.derivatives_by::<T, 4>([4, 4], at, each),
+            orders if orders[0].max(orders[1]) <= 6 => {
+                self.derivatives_by::<T, 6>(orders, at, each);
+            }
+            orders => self.derivatives_by::<T, MOST>(orders, at, each),
+        }
+    }
+
+    #[inline(always)]
+    fn derivatives_by<T: Number, const N: usize>(
+        &self,
+        orders: [usize; 2],
+        at: [T; 2],
+        mut each: impl FnMut([T; 6]),
+    ) {
+        let (u, v) = (rows::<T, N>(orders[0], at[0]), rows::<T, N>(orders[1], at[1]));
+        let plane = |k: usize| contracted(&self.poles[k * orders[0] * orders[1]..], orders, &u, &v);
         if self.rational {
-            let weight = contracted(self, self.ambient, &u, &v);
-            let inverse = zero.like(1.0) / weight[0];
-            for plane in 0..self.ambient {
-                each(quotient(contracted(self, plane, &u, &v), &weight, inverse));
+            let weight = plane(self.ambient);
+            let inverse = at[0].like(1.0) / weight[0];
+            for k in 0..self.ambient {
+                each(quotient(plane(k), &weight, inverse));
             }
         } else {
             // Weights that are all alike are 1.
-            for plane in 0..self.ambient {
-                each(contracted(self, plane, &u, &v));
+            for k in 0..self.ambient {
+                each(plane(k));
             }
         }
     }

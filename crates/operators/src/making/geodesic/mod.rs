@@ -8,6 +8,7 @@
 //! may be off is what the errors of the steps become as neighbouring geodesics part or meet (`growth`).
 
 mod atlas;
+mod bulk;
 mod cap;
 mod cross;
 mod curve;
@@ -23,6 +24,7 @@ use pforms_kernel::{Error, Result};
 use crate::Spline;
 use crate::measuring::vector::{dot, norm, plus};
 use atlas::{Atlas, Edge};
+pub use bulk::{Arrivals, geodesics};
 use step::State;
 use trace::{Chart, Course, Request, trace};
 
@@ -131,7 +133,7 @@ pub fn geodesic(
     let accuracy = checked(&surface, start, length, options)?;
     let atlas = Atlas::new(&surface, options.seams)?;
     let (chart, state) = begun(&atlas, start, heading)?;
-    let course = settled(&atlas, chart, state, atlas.in_units(length), accuracy)?;
+    let course = settled(&atlas, chart, state, atlas.in_units(length), accuracy, true)?;
     finished(&atlas, &course, accuracy)
 }
 
@@ -149,11 +151,12 @@ fn settled(
     state: State<f64>,
     length: f64,
     accuracy: f64,
+    dense: bool,
 ) -> Result<Course> {
     let mut tolerance = 0.1 * accuracy / length.max(1.0);
     let mut reached = f64::INFINITY;
     for _ in 0..PASSES {
-        let request = Request { length, tolerance, slack: DRAWN * accuracy, dense: true };
+        let request = Request { length, tolerance, slack: DRAWN * accuracy, dense, pause: false };
         let course = trace(atlas, chart, state, &request)?;
         let error = course.growth.error() + course.between;
         if error <= (1.0 - 2.0 * DRAWN) * accuracy {

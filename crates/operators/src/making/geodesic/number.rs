@@ -16,9 +16,6 @@ pub(super) trait Number:
 {
     /// A constant, as wide as this number.
     fn like(self, x: f64) -> Self;
-
-    /// The square root.
-    fn root(self) -> Self;
 }
 
 impl Number for f64 {
@@ -26,21 +23,11 @@ impl Number for f64 {
     fn like(self, x: f64) -> Self {
         x
     }
-
-    #[inline(always)]
-    fn root(self) -> Self {
-        self.sqrt()
-    }
 }
 
 impl<S: Simd> Number for Lanes<S> {
     #[inline(always)]
     fn like(self, x: f64) -> Self {
         Self::splat(self.simd(), x)
-    }
-
-    #[inline(always)]
-    fn root(self) -> Self {
-        self.sqrt()
     }
 }

@@ -29,6 +29,20 @@ pub(super) struct Request {
     pub slack: f64,
     /// Are the polynomials wanted?
     pub dense: bool,
+    /// Stop where another piece begins?
+    pub pause: bool,
+}
+
+impl Request {
+    /// The step to try first.
+    pub(super) fn first(&self) -> f64 {
+        FIRST.min(self.length)
+    }
+
+    /// How much more an error of a step is than what is allowed: never 0.
+    pub(super) fn excess(&self, error: f64, by: f64) -> f64 {
+        (error / (self.tolerance * by).max(FLOOR)).max(1e-12)
+    }
 }
 
 /// A step that was taken.
@@ -75,6 +89,18 @@ struct Tracer<'a> {
     course: Course,
     /// The step to try next.
     by: f64,
+    /// Sides crossed since the last step.
+    idle: usize,
+}
+
+/// What became of a step.
+enum Moved {
+    On,
+    /// It ended on a side, and the course is on the other.
+    Over,
+    /// It did not arrive on the side it was to end on.
+    Not,
+    Ended(Ending),
 }
 
 /// Follows the geodesic from a state, at unit speed.
@@ -87,19 +113,30 @@ pub(super) fn trace(
     state: State<f64>,
     request: &Request,
 ) -> Result<Course> {
-    let course = Course {
-        legs: Vec::new(),
-        chart,
-        state,
-        length: 0.0,
-        ending: Ending::Length,
-        growth: Growth::new(),
-        between: 0.0,
-        crease: 0.0,
-        steps: 0,
-    };
-    let by = FIRST.min(request.length);
-    let mut tracer = Tracer { atlas, request, course, by };
+    resumed(atlas, Course::new(chart, state), request)
+}
+
+impl Course {
+    pub(super) fn new(chart: Chart, state: State<f64>) -> Self {
+        Self {
+            legs: Vec::new(),
+            chart,
+            state,
+            length: 0.0,
+            ending: Ending::Length,
+            growth: Growth::new(),
+            between: 0.0,
+            crease: 0.0,
+            steps: 0,
+        }
+    }
+}
+
+/// Follows a geodesic on from where it is.
+///
+/// Errors: as [`trace`].
+pub(super) fn resumed(atlas: &Atlas, course: Course, request: &Request) -> Result<Course> {
+    let mut tracer = Tracer { atlas, request, course, by: request.first(), idle: 0 };
     tracer.recharted();
     if let Some(ending) = tracer.run()? {
         tracer.course.ending = ending;
@@ -119,86 +156,114 @@ const FLOOR: f64 = 4.0 * f64::EPSILON;
 /// Parameters beyond a side by more than this are outside, whatever the slack.
 const MARGIN: f64 = 1e-6;
 
+/// The same for the parameter along a collapsed side, which a small distance turns by much.
+const MOST_TURN: f64 = 1e-2;
+
 /// Share of the way to a collapsed side that a step may go.
 const APPROACH: f64 = 0.7;
 
 impl Tracer<'_> {
     fn run(&mut self) -> Result<Option<Ending>> {
-        let mut idle = 0;
         let mut look = self.prepared()?;
         while self.course.length < self.request.length {
-            if self.course.steps >= MOST {
-                return Err(Error::accuracy(
-                    "length",
-                    self.atlas.length(self.request.length),
-                    format!(
-                        "a length that {MOST} steps reach: here {:e}",
-                        self.atlas.length(self.course.length)
-                    ),
-                ));
-            }
-            self.course.steps += 1;
+            self.count()?;
             let rest = self.request.length - self.course.length;
-            let last = self.by >= rest;
             let by = self.by.min(rest).min(self.approach());
-            if by < SHORTEST * (1.0 + self.course.length) {
+            if self.is_nothing(by) {
                 return Ok(Some(Ending::Singular));
             }
-            let Some(mut tried) = self.tried(&look, by) else {
+            let Some(tried) = self.tried(&look, by) else {
                 self.by = by / 4.0;
                 continue;
             };
+            let next = by * 0.9 * tried.excess.powf(-1.0 / 7.0);
             if tried.excess > 1.0 {
-                self.by = by * (0.9 * tried.excess.powf(-1.0 / 7.0)).clamp(0.1, 0.9);
+                self.by = next.clamp(0.1 * by, 0.9 * by);
                 continue;
             }
-            self.by = by * (0.9 * tried.excess.powf(-1.0 / 7.0)).clamp(0.5, 5.0);
-            if let Chart::Piece(_) = self.course.chart {
-                if let Some((axis, side, share)) = exit(&tried.path, self.margins(&look)) {
-                    if share * by > SHORTEST * (1.0 + self.course.length) {
-                        let Some(end) = self.landed(&look, axis, side, share * by) else {
-                            self.by = by / 4.0;
-                            continue;
-                        };
-                        tried = end;
-                        self.accept(&tried);
-                        idle = 0;
-                    }
-                    self.course.state.place[axis] = side as f64;
-                    idle += 1;
-                    if idle > IDLE {
-                        return Ok(Some(Ending::Singular));
-                    }
-                    if let Some(ending) = self.cross(axis, side) {
-                        return Ok(Some(ending));
-                    }
+            self.by = next.clamp(0.5 * by, 5.0 * by);
+            match self.moved(&look, &tried) {
+                Moved::On if by == rest => self.course.length = self.request.length,
+                Moved::On => {}
+                Moved::Over => {
                     look = self.prepared()?;
+                    if self.request.pause && matches!(self.course.chart, Chart::Piece(_)) {
+                        return Ok(None);
+                    }
                     continue;
                 }
-            }
-            idle = 0;
-            if let Chart::Cap(axis, side) = self.course.chart {
-                if let Some(share) =
-                    self.atlas.cap(axis, side).and_then(|cap| self.beyond_cap(cap, &tried))
-                {
-                    if let Some(ending) = self.leave_cap(&look, axis, side, share * by) {
-                        return Ok(Some(ending));
-                    }
-                    look = self.prepared()?;
+                Moved::Not => {
+                    self.by = by / 4.0;
                     continue;
                 }
-            }
-            self.accept(&tried);
-            if last && by == rest {
-                self.course.length = self.request.length;
-                break;
+                Moved::Ended(ending) => return Ok(Some(ending)),
             }
             if let Some(ending) = self.at_apex() {
                 return Ok(Some(ending));
             }
-            look = if self.recharted() { self.prepared()? } else { tried.look };
+            if self.recharted() {
+                look = self.prepared()?;
+                if self.request.pause && matches!(self.course.chart, Chart::Piece(_)) {
+                    return Ok(None);
+                }
+            } else {
+                look = tried.look;
+            }
         }
         Ok(None)
+    }
+
+    fn count(&mut self) -> Result<()> {
+        self.course.steps += 1;
+        if self.course.steps <= MOST {
+            return Ok(());
+        }
+        let reached = self.atlas.length(self.course.length);
+        Err(Error::accuracy(
+            "length",
+            self.atlas.length(self.request.length),
+            format!("a length that {MOST} steps reach: here {reached:e}"),
+        ))
+    }
+
+    fn is_nothing(&self, by: f64) -> bool {
+        by < SHORTEST * (1.0 + self.course.length)
+    }
+
+    /// Takes a step, or what of it stays on the piece.
+    fn moved(&mut self, look: &Look, tried: &Tried) -> Moved {
+        match self.course.chart {
+            Chart::Piece(_) => {
+                if let Some((axis, side, share)) = exit(&tried.path, self.margins(look)) {
+                    return self.onto_side(look, axis, side, share * tried.by);
+                }
+            }
+            Chart::Cap(axis, side) => {
+                let cap = self.atlas.cap(axis, side);
+                if let Some(share) = cap.and_then(|cap| self.beyond_cap(cap, tried)) {
+                    let ending = self.leave_cap(look, axis, side, share * tried.by);
+                    return ending.map_or(Moved::Over, Moved::Ended);
+                }
+            }
+        }
+        self.accept(tried);
+        Moved::On
+    }
+
+    /// To a side of the piece, and over it.
+    fn onto_side(&mut self, look: &Look, axis: usize, side: usize, by: f64) -> Moved {
+        if !self.is_nothing(by) {
+            let Some(tried) = self.landed(look, axis, side, by) else {
+                return Moved::Not;
+            };
+            self.accept(&tried);
+        }
+        self.course.state.place[axis] = side as f64;
+        self.idle += 1;
+        if self.idle > IDLE {
+            return Moved::Ended(Ending::Singular);
+        }
+        self.cross(axis, side).map_or(Moved::Over, Moved::Ended)
     }
 
     /// The look at a state, made one of unit speed.
@@ -247,19 +312,18 @@ impl Tracer<'_> {
             return None;
         }
         let [place, turn] = errors(&step, &end.metric);
-        let allowed = (self.request.tolerance * by).max(FLOOR);
-        let mut excess = place.max(turn) / allowed;
+        let mut excess = self.request.excess(place.max(turn), by);
         let path = step.path(state, end.acceleration, by, &field);
         let mut curvatures =
             [look.curvature, 0.0, f64::midpoint(look.curvature, end.curvature), 0.0, end.curvature];
         let mut between = 0.0_f64;
         if excess <= 1.0 && self.request.dense {
-            for k in 1..4 {
+            for (k, curvature) in curvatures.iter_mut().enumerate().take(4).skip(1) {
                 let [u, v] = path.map(|poles| along(&poles, k as f64 / 4.0, by));
                 let here = self::look(atlas, chart, [u[0], v[0]], [u[1], v[1]]);
                 let rest = [u[2] - here.acceleration[0], v[2] - here.acceleration[1]];
                 between = between.max(here.metric.product(rest, rest).sqrt() * by * by / 8.0);
-                curvatures[k] = here.curvature;
+                *curvature = here.curvature;
             }
             // Order 8 as well: the second derivative of a polynomial of degree 7, times the step squared.
             excess = excess.max(between / (0.25 * self.request.slack).max(FLOOR));
@@ -274,16 +338,7 @@ impl Tracer<'_> {
         let errors = [place + rounding[0], turn + rounding[1]];
         let mut state = step.end;
         let look = unit_speed(&mut state, end, speed);
-        Some(Tried {
-            by,
-            path,
-            state,
-            look,
-            curvatures,
-            errors,
-            between,
-            excess: excess.max(1e-12),
-        })
+        Some(Tried { by, path, state, look, curvatures, errors, between, excess })
     }
 
     /// What rounding adds to the place and the direction of a step: derivatives are differences of poles, which
@@ -312,6 +367,7 @@ impl Tracer<'_> {
         }
         course.length += tried.by;
         course.state = tried.state;
+        self.idle = 0;
     }
 
     /// How far beyond each side, in parameters, still counts as on it.
@@ -438,7 +494,9 @@ impl Tracer<'_> {
         }
         let held = |share: f64| {
             let [u, v] = tried.path.map(|poles| along(&poles, share, tried.by));
-            cap.holds(cap.find([u[0], v[0]], [u[1], v[1]]), self.request.slack)
+            let place = [u[0], v[0]];
+            let slack = self.request.slack / norm(&place).max(self.request.slack / MOST_TURN);
+            cap.holds(cap.find(place, [u[1], v[1]]), slack)
         };
         if held(1.0) {
             return None;
