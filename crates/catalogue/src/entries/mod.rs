@@ -78,7 +78,6 @@ pub(crate) fn all() -> Vec<Operator> {
         intersecting::ENTRIES,
         differentiating::ENTRIES,
         relaxing::ENTRIES,
-=======
         geodesics::ENTRIES,
 >>>>>>> 90415e4 (Geodesics in sheets and Python, many at once; crossed geodesics on a torus)
         transforming::ENTRIES,
