@@ -108,11 +108,11 @@ mod _pforms {
     #[pymodule_export]
     use crate::sheet::PySheet;
     #[pymodule_export]
-    use crate::solids::{common, difference, union};
-    #[pymodule_export]
     use crate::sizes::{
         area, bounding_box, centroid, inertia, is_injective, jacobian, slice, volume,
     };
+    #[pymodule_export]
+    use crate::solids::{common, difference, union};
     #[pymodule_export]
     use crate::spanning::{coons, gordon};
     #[pymodule_export]

@@ -74,12 +74,7 @@ pub(crate) fn all() -> Vec<Operator> {
         differentiating::ENTRIES,
         relaxing::ENTRIES,
         solids::ENTRIES,
-<<<<<<< HEAD
-        intersecting::ENTRIES,
-        differentiating::ENTRIES,
-        relaxing::ENTRIES,
         geodesics::ENTRIES,
->>>>>>> 90415e4 (Geodesics in sheets and Python, many at once; crossed geodesics on a torus)
         transforming::ENTRIES,
         turning::ENTRIES,
         mirroring::ENTRIES,
