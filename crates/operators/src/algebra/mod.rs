@@ -21,6 +21,7 @@ mod mirror;
 mod nested;
 mod partition;
 mod pointwise;
+mod pole_derivatives;
 mod project_to_plane;
 mod rational;
 mod reduce;
@@ -59,6 +60,7 @@ pub(crate) use minors::{Minors, flux_minor, tangent_minors};
 pub use mirror::{mirror, reflection};
 pub use partition::partition;
 pub use pointwise::{combine_pointwise, multiply, pointwise_work};
+pub use pole_derivatives::pole_derivatives;
 pub use project_to_plane::{project_to_plane, projection};
 pub use rational::{
     Axis, Part, arc_by_step, circle, cone, conic, cross, cylinder, ellipse, hyperbola_by, parabola,

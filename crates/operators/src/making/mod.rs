@@ -3,6 +3,7 @@
 mod bspline;
 mod by_arc_length;
 mod coons;
+mod deform;
 mod fit;
 mod fit_parameters;
 mod geodesic;
@@ -29,6 +30,7 @@ mod vandermonde;
 pub use bspline::{KnotRule, bspline, nurbs};
 pub use by_arc_length::{UnitSpeed, by_arc_length};
 pub use coons::{CoonsOptions, coons, coons_splines};
+pub use deform::{Rest, deform};
 pub use fit::{Fit, FitOptions, fit};
 pub use fit_parameters::Parameters;
 pub use geodesic::{Arrivals, Ending, Geodesic, GeodesicOptions, Heading, geodesic, geodesics};

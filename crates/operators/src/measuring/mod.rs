@@ -9,6 +9,7 @@ mod continuity;
 mod curvature;
 mod curve_frame;
 mod developable;
+mod embed;
 mod feet;
 mod folds;
 pub(crate) mod guarded;
@@ -45,6 +46,7 @@ pub use continuity::{Continuity, ContinuityOptions, FormEnd, continuity, joints}
 pub use curvature::{Curvature, curvature};
 pub use curve_frame::{CurveFrame, FrameKind, curve_frame, curve_frames};
 pub use developable::{Developability, gauss_form, is_developable};
+pub use embed::{Embedder, Embedding, Outside, Standing, embed};
 pub use feet::{Feet, Foot, FootKind, project_all};
 pub use folds::{Folding, Folds, folds};
 pub use intersect::{

@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 
 mod bembel;
+mod ffd;
 mod geomdl;
 mod gismo;
 mod iges;

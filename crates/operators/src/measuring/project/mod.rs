@@ -14,7 +14,7 @@ mod region;
 mod rows;
 mod search;
 mod spline;
-mod target;
+pub(super) mod target;
 pub(super) mod weight;
 
 use pforms_kernel::vectors::in_lanes;

@@ -112,7 +112,7 @@ fn amplification(form: &Form, least: f64) -> f64 {
 }
 
 /// The power of two at or below a size; the least normal number for anything less.
-fn binade(size: f64) -> f64 {
+pub(in crate::measuring) fn binade(size: f64) -> f64 {
     let exponent = size.to_bits() & (0x7ff << 52);
     if size == 0.0 { 1.0 } else { f64::from_bits(exponent).max(f64::MIN_POSITIVE) }
 }
