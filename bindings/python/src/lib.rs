@@ -10,6 +10,7 @@ mod columns;
 mod combining;
 mod composing;
 mod drawing;
+mod embedding;
 mod errors;
 mod evaluation;
 mod files;
@@ -64,6 +65,8 @@ mod _pforms {
     use crate::composing::{affine_matrix, affine_sweep};
     #[pymodule_export]
     use crate::drawing::_draw_forms;
+    #[pymodule_export]
+    use crate::embedding::{PyEmbedding, deform, embed};
     #[pymodule_export]
     use crate::files::{_read_forms, _write_forms};
     #[pymodule_export]

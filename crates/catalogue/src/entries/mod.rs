@@ -6,6 +6,7 @@
 mod combining;
 mod conditions;
 mod conics;
+mod deforming;
 mod differentiating;
 mod evaluating;
 mod explaining;
@@ -70,6 +71,7 @@ pub(crate) fn all() -> Vec<Operator> {
         projecting::ENTRIES,
         measuring::ENTRIES,
         folding::ENTRIES,
+        deforming::ENTRIES,
         intersecting::ENTRIES,
         differentiating::ENTRIES,
         relaxing::ENTRIES,
