@@ -1,7 +1,7 @@
 //! What follows a cage: forms exactly, points by their parameters.
 
 use numpy::{PyArray1, PyArrayDyn, PyArrayMethods};
-use pforms_kernel::{Error, Result};
+use pforms_kernel::Error;
 use pforms_operators::{
     self as operators, Embedder, Embedding, Outside, Poles, Rest, Shape, Standing,
 };
@@ -371,21 +371,7 @@ impl<'py> Deformation<'_, 'py> {
     }
 
     fn bent(&self, py: Python<'py>, object: &Shape) -> PyResult<Shape> {
-        let pieces = |shape: &Shape| -> f64 {
-            match shape {
-                Shape::Form(_) => 1.0,
-                Shape::Spline(spline) => spline.counts().iter().map(|n| *n as f64).product(),
-            }
-        };
-        let first = |shape: &Shape| -> Result<pforms_kernel::Form> {
-            match shape {
-                Shape::Form(form) => Ok(form.clone()),
-                Shape::Spline(spline) => spline.piece(&vec![0; spline.axes()]),
-            }
-        };
-        let (inner, host) = (first(object), first(&self.cage));
-        let (inner, host) = (inner.map_err(|e| raised(&e))?, host.map_err(|e| raised(&e))?);
-        let work = pieces(object) * pieces(&self.cage) * immersion_work(&inner, &host);
+        let work = bending_work(object, &self.cage)?;
         require_feasible("the deformation", work)?;
         done(py, usize::MAX, || operators::deform(object, &self.cage, &self.rest))
     }
@@ -417,6 +403,23 @@ impl<'py> Deformation<'_, 'py> {
         let class = py.import(intern!(py, "pforms.records"))?.getattr(intern!(py, "Mesh"))?;
         class.call1((moved, none, triangles))
     }
+}
+
+/// Multiplications that an immersion of forms or splines takes, about.
+pub(crate) fn bending_work(inner: &Shape, host: &Shape) -> PyResult<f64> {
+    let pieces = |shape: &Shape| -> f64 {
+        match shape {
+            Shape::Form(_) => 1.0,
+            Shape::Spline(spline) => spline.counts().iter().map(|n| *n as f64).product(),
+        }
+    };
+    let first = |shape: &Shape| match shape {
+        Shape::Form(form) => Ok(form.clone()),
+        Shape::Spline(spline) => {
+            spline.piece(&vec![0; spline.axes()]).map_err(|error| raised(&error))
+        }
+    };
+    Ok(pieces(inner) * pieces(host) * immersion_work(&first(inner)?, &first(host)?))
 }
 
 /// Two corners, or a cage.

@@ -1,17 +1,17 @@
 //! Hosts as spaces to draw in: segments, polylines, tiles, and any map of the poles.
 
 use pforms_kernel::{Error, Form};
-use pforms_operators as operators;
+use pforms_operators::{self as operators, Poles};
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
 
 use crate::arguments::{form, reals, require_finite, wholes};
 use crate::arrays::Numbers;
+use crate::embedding::bending_work;
 use crate::errors::{done, fail, mistyped, raised};
 use crate::form::PyForm;
-use crate::forms::Forms;
 use crate::immersed::spline_immersed;
-use crate::operators::immersion_work;
+use crate::shapes;
 use crate::slices::require_feasible;
 use crate::spline::PySpline;
 
@@ -103,15 +103,16 @@ pub(crate) fn polyline(
 ///
 /// Parameters
 /// ----------
-/// cells : Form or sequence of Form
+/// cells : Form, Spline or a sequence of them
 ///     With one coordinate for each axis of the cage.
-/// cage : Form
+/// cage : Form or Spline
+///     A motif is cut where it crosses a knot of a spline, and becomes one.
 /// counts : int or sequence of int
 ///     Repetitions along each parameter.
 ///
 /// Returns
 /// -------
-/// list of Form
+/// list of Form, or of Spline
 ///     Cell by cell, the last parameter fastest, and within a cell in the given order.
 ///
 /// Raises
@@ -127,19 +128,23 @@ pub(crate) fn polyline(
 /// [[0.0, 0.0], [0.0, 0.5], [0.5, 0.0], [0.5, 0.5]]
 #[pyfunction]
 #[pyo3(signature = (cells, cage, counts))]
-pub(crate) fn tile(
-    cells: &Bound<'_, PyAny>,
-    cage: &Bound<'_, PyAny>,
-    counts: &Bound<'_, PyAny>,
-) -> PyResult<Vec<PyForm>> {
-    let cage = form("cage", cage)?;
-    let list = Forms::read("cells", cells)?.cloned();
-    let counts = wholes("counts", counts, cage.axes())?;
+pub(crate) fn tile<'py>(
+    cells: &Bound<'py, PyAny>,
+    cage: &Bound<'py, PyAny>,
+    counts: &Bound<'py, PyAny>,
+) -> PyResult<Vec<Bound<'py, PyAny>>> {
+    let py = cells.py();
+    let cage = shapes::read("cage", cage)?;
+    let list = shapes::list("cells", cells)?;
+    let counts = wholes("counts", counts, cage.net().axes())?;
     let copies: f64 = counts.iter().map(|&count| count as f64).product();
-    let work: f64 = list.iter().map(|cell| immersion_work(cell, &cage)).sum();
+    let mut work = 0.0;
+    for cell in &list {
+        work += bending_work(cell, &cage)?;
+    }
     require_feasible("the tiling", copies * work)?;
-    let tiles = done(cells.py(), usize::MAX, || operators::tile(&list, &cage, &counts))?;
-    Ok(tiles.into_iter().map(PyForm::from).collect())
+    let tiles = done(py, usize::MAX, || operators::tile_shapes(&list, &cage, &counts))?;
+    tiles.into_iter().map(|tile| shapes::object(py, tile)).collect()
 }
 
 /// Pointwise immersion: the images of the poles of a form under any map, as a form.

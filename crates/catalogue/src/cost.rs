@@ -7,6 +7,7 @@
 use pforms_kernel::{Error, Form, Kind};
 use pforms_operators::{Immersed, Knots, Poles, Shape, Spline, pointwise_work};
 
+use crate::arithmetic::require_plain;
 use crate::{Arithmetic, Failure};
 
 /// Multiplications of short numbers that one call may take.
@@ -118,6 +119,25 @@ pub(crate) fn require_immersible<S: Arithmetic>(
     }
     let bits = longest(host.homogeneous()) + done as f64 * longest(inner.homogeneous());
     require::<S>(work * copies as f64 * long(bits))
+}
+
+/// [`require_immersible`] for splines, cut where they cross the knots of the host: where that is,
+/// is found in plain numbers.
+pub(crate) fn require_bendable<S: Arithmetic>(
+    inner: &Shape<S>,
+    host: &Shape<S>,
+    copies: usize,
+) -> Result<(), Failure> {
+    let (inside, outside) = (inner.clone().into_spline(), host.clone().into_spline());
+    let first = |spline: &Spline<S>| spline.piece(&vec![0; spline.axes()]);
+    let pieces = inside.counts().iter().product::<usize>();
+    let knots = outside.counts().iter().sum::<usize>();
+    let copies = copies.saturating_mul(pieces.saturating_mul(knots));
+    require_immersible(&first(&inside)?, &first(&outside)?, copies)?;
+    if knots > outside.axes() {
+        require_plain(inside.net().homogeneous())?;
+    }
+    Ok(())
 }
 
 /// The poles of an immersed form that was kept unexpanded.

@@ -2,7 +2,9 @@
 #![allow(clippy::unwrap_used)]
 
 use pforms_kernel::{Form, Rational, Scalar};
-use pforms_operators::{Poles, Rest, Shape, Spline, deform, diagonal, immerse, subdivide};
+use pforms_operators::{
+    Poles, Rest, Shape, Spline, deform, diagonal, immerse, subdivide, tile, tile_shapes,
+};
 use pforms_testkit::{ROUNDS, Random, Weights};
 
 type Q = Rational;
@@ -158,4 +160,28 @@ fn what_cannot_be_is_named() {
     assert_eq!(family(&space, Rest::Box(vec![0., 0.], vec![1., 1.])), "Shape");
     let line: Shape = Form::from_points(&[2], 1, &[0., 1.], None).unwrap().into();
     assert_eq!(family(&line, Rest::Window), "Shape");
+}
+
+/// A cage in pieces is tiled as the whole cage is.
+#[test]
+fn splines_are_tiled_over_their_windows() {
+    let mut random = Random::new(6);
+    let cage: Form<Q> = random.form(&[3, 2], 2, Weights::One);
+    let pieces: Shape<Q> = subdivide(&cage, &[1, 1]).unwrap().into();
+    let motif = Form::from_points(&[2], 2, &[q(0), q(0), q(1), q(1)], None).unwrap();
+    let whole = tile(std::slice::from_ref(&motif), &cage, &[4, 2]).unwrap();
+    let cut = tile_shapes(&[motif.clone().into()], &pieces, &[4, 2]).unwrap();
+    assert_eq!(whole.len(), cut.len());
+    for (one, other) in whole.iter().zip(cut) {
+        let other = other.into_spline();
+        let (from, to) = other.window(0).unwrap();
+        for t in [Q::ratio(0, 1), Q::ratio(1, 3), Q::ratio(1, 1)] {
+            let at = from.clone() + t.clone() * (to.clone() - from.clone());
+            assert_eq!(one.at(&[t]).unwrap(), other.at(&[at]).unwrap());
+        }
+    }
+    let family = |counts: &[usize]| {
+        tile_shapes(&[motif.clone().into()], &pieces, counts).unwrap_err().family()
+    };
+    assert_eq!((family(&[0, 1]), family(&[1])), ("Shape", "Shape"));
 }

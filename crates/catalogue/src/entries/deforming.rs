@@ -6,7 +6,7 @@ use pforms_operators::{self as operators, Embedder, Outside, Poles, Rest, Shape,
 use super::lists::entry;
 use super::{Outcome, PART, PLAIN};
 use crate::arithmetic::require_plain;
-use crate::cost::{require_immersible, require_points};
+use crate::cost::{require_bendable, require_points};
 use crate::operator::{Group, call};
 use crate::parameter::Fallback;
 use crate::words::words;
@@ -116,11 +116,7 @@ fn rest<S: Arithmetic>(a: &Bound<S>, cage: &Shape<S>) -> Result<Rest<S>, Failure
 }
 
 fn bent<S: Arithmetic>(object: &Shape<S>, cage: &Shape<S>, rest: &Rest<S>) -> Outcome<S> {
-    let (inside, outside) = (object.clone().into_spline(), cage.clone().into_spline());
-    let pieces = inside.counts().iter().product::<usize>();
-    let knots = outside.counts().iter().sum::<usize>();
-    let first = |spline: &operators::Spline<S>| spline.piece(&vec![0; spline.axes()]);
-    require_immersible(&first(&inside)?, &first(&outside)?, pieces.saturating_mul(knots))?;
+    require_bendable(object, cage, 1)?;
     Ok(operators::deform(object, cage, rest)?.into())
 }
 

@@ -2,11 +2,10 @@
 
 use pforms_kernel::{Error, Form, Kind, Rational};
 use pforms_operators as operators;
-use pforms_operators::{Immersed, Shape, Spline};
+use pforms_operators::{Immersed, Poles, Shape};
 
 use super::{Outcome, PLAIN, list_of_forms, list_of_numbers};
-use crate::arithmetic::require_plain;
-use crate::cost::require_immersible;
+use crate::cost::{require_bendable, require_immersible};
 use crate::operator::{Group, call};
 use crate::parameter::Fallback;
 use crate::words::words;
@@ -173,7 +172,7 @@ pub(super) static ENTRIES: &[Operator] = &[
             Parameter::new(
                 Takes::Form,
                 words("cage", "cage"),
-                words("The form that is filled.", "La forme à remplir."),
+                words("The form or spline that is filled.", "La forme ou spline à remplir."),
             ),
             Parameter::new(
                 Takes::Wholes,
@@ -213,14 +212,7 @@ fn immerse_spline<S: Arithmetic>(a: &Bound<S>, inner: &Shape<S>, host: &Shape<S>
         let expected = words("FALSE for a spline", "FAUX pour une spline");
         return Err(a.refused(2, &Value::Boolean(true), expected));
     }
-    let (inside, outside) = (inner.clone().into_spline(), host.clone().into_spline());
-    let first = |spline: &Spline<S>| spline.piece(&vec![0; spline.axes()]);
-    let pieces = inside.counts().iter().product::<usize>();
-    let knots = outside.counts().iter().sum::<usize>();
-    require_immersible(&first(&inside)?, &first(&outside)?, pieces.saturating_mul(knots))?;
-    if knots > outside.axes() {
-        require_plain(inside.net().homogeneous())?;
-    }
+    require_bendable(inner, host, 1)?;
     Ok(operators::immerse_spline(inner, host)?.into())
 }
 
@@ -294,22 +286,23 @@ fn parameters_of<S: Arithmetic>(
 }
 
 fn tile<S: Arithmetic>(a: &Bound<S>) -> Outcome<S> {
-    let cage = a.form(1)?;
-    let counts = a.wholes(2, cage.axes())?;
-    let motif: Vec<Form<S>> = match a.value(0) {
+    let cage = a.shape(1)?;
+    let counts = a.wholes(2, cage.net().axes())?;
+    let motif: Vec<Shape<S>> = match a.value(0) {
         Value::List(items) if !Value::List(items.clone()).is_points() => {
-            items.iter().map(|item| a.form_of(0, item)).collect::<Result<_, _>>()?
+            items.iter().map(|item| a.shape_of(0, item)).collect::<Result<_, _>>()?
         }
-        one => vec![a.form_of(0, &one)?],
+        one => vec![a.shape_of(0, &one)?],
     };
     let copies = counts.iter().try_fold(motif.len(), |product, &n| product.checked_mul(n));
-    if copies.is_none_or(|copies| copies > crate::LIST_CAP) {
+    let Some(copies) = copies.filter(|copies| *copies <= crate::LIST_CAP) else {
         let error = Error::domain("counts", format!("{counts:?}"), "fewer copies");
         let french = format!("nombres : reçu {counts:?}, attendu moins de copies");
         return Err(Failure::of(error, french));
+    };
+    for shape in &motif {
+        require_bendable(shape, &cage, copies)?;
     }
-    for form in &motif {
-        require_immersible(form, &cage, counts.iter().product())?;
-    }
-    Ok(list_of_forms(operators::tile(&motif, &cage, &counts)?))
+    let tiles = operators::tile_shapes(&motif, &cage, &counts)?;
+    Ok(Value::list(tiles.into_iter().map(Value::from).collect()))
 }

@@ -94,7 +94,7 @@ impl<S: Scalar> Rest<S> {
 }
 
 /// Where the parameters of a cage begin and end.
-fn windows<S: Scalar>(cage: &Shape<S>) -> Vec<(S, S)> {
+pub(super) fn windows<S: Scalar>(cage: &Shape<S>) -> Vec<(S, S)> {
     match cage {
         Shape::Form(form) => vec![(S::zero(), S::one()); form.axes()],
         Shape::Spline(spline) => {

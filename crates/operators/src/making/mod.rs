@@ -22,6 +22,7 @@ mod pipe;
 mod rational;
 mod remove_knots;
 mod tangent_developable;
+mod tile_shapes;
 mod unroll;
 
 mod twofold;
@@ -52,4 +53,5 @@ pub use rational::{
 };
 pub use remove_knots::{Simplified, remove_knots};
 pub use tangent_developable::{tangent_developable, tangent_developable_of_spline};
+pub use tile_shapes::tile_shapes;
 pub use unroll::{Distortion, Unrolling, unroll};

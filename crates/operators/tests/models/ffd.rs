@@ -111,8 +111,8 @@ fn the_pipe_of_pygem() {
         let embedding = embed(&rest, &points, 1e-12, Outside::Keep).unwrap();
         let followed = embedding.at(&bent).unwrap();
         let expected = face.net().points().unwrap();
-        // Ten digits of numbers up to 12,000; angles rounded to 1e-9 of radius 1000.
-        assert!(gap(&followed, &expected) < 5e-6, "{}", gap(&followed, &expected));
+        // Ten digits of numbers up to 12,000, moved by up to half as much again.
+        assert!(gap(&followed, &expected) < 1e-5, "{}", gap(&followed, &expected));
         assert!(embedding.inside().any(|inside| inside) == (half.is_some() || height > 0.0));
     }
 }
