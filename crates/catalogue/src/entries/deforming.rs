@@ -1,6 +1,6 @@
 //! Forms that follow a cage.
 
-use pforms_kernel::{Error, Form};
+use pforms_kernel::{Error, Form, Rational};
 use pforms_operators::{self as operators, Embedder, Outside, Poles, Rest, Shape, Standing};
 
 use super::lists::entry;

@@ -1,6 +1,6 @@
 //! Forms inside forms.
 
-use pforms_kernel::{Error, Form, Kind, Rational};
+use pforms_kernel::{Error, Kind, Rational};
 use pforms_operators as operators;
 use pforms_operators::{Immersed, Poles, Shape};
 
