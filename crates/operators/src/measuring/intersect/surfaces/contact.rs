@@ -3,7 +3,7 @@
 use super::hermite::Piece;
 use super::pair::{Knot, Pair, Place};
 use super::pairs::Cell;
-use super::space::{V3, apart, minus, norm, times};
+use super::space::{V3, apart, cross, minus, norm, times};
 use super::touch::{Kind, Tangency};
 use super::trace::{Arc, End, Limits, trace};
 
@@ -18,9 +18,9 @@ pub(super) struct Touch {
     pub known: bool,
     /// Do the surfaces cross there, a corner of the one on the other?
     pub crossing: bool,
-    /// The parameter and its value that give this point alone, when it is a border that is
-    /// collapsed.
-    pub pole: Option<(usize, f64)>,
+    /// For each surface the parameter and its value that give this point alone, when it is a
+    /// border that is collapsed.
+    pub poles: [Option<(usize, f64)>; 2],
 }
 
 /// All contacts of two pieces.
@@ -118,11 +118,15 @@ impl Touching {
         (x[at], x[at + 1]) = (there[2], there[3]);
         let Some(x) = clamped(&x).filter(|_| gap <= self.reach) else { return };
         let p = if on_first { pair.a.point(x[0], x[1]) } else { pair.b.point(x[2], x[3]) };
-        if self.points.iter().all(|touch| apart(&touch.p, &p) > 1e-9) {
-            let pole = Some((axis, value));
-            let halves = Vec::new();
-            self.points.push(Touch { x, p, gap, halves, known: false, crossing: true, pole });
+        let side = axis / 2;
+        if let Some(known) = self.points.iter_mut().find(|touch| apart(&touch.p, &p) < 1e-9) {
+            known.poles[side] = Some((axis, value));
+            return;
         }
+        let mut poles = [None; 2];
+        poles[side] = Some((axis, value));
+        let halves = Vec::new();
+        self.points.push(Touch { x, p, gap, halves, known: false, crossing: true, poles });
     }
 
     fn add_point(&mut self, tangency: &Tangency, x: Place, directions: &[V3], known: bool) {
@@ -142,7 +146,7 @@ impl Touching {
             halves,
             known,
             crossing: false,
-            pole: None,
+            poles: [None; 2],
         });
     }
 
@@ -172,21 +176,24 @@ impl Touching {
 impl Touch {
     /// Is it in a small cell, or near it?
     fn is_near(&self, cell: &Cell, small: bool) -> bool {
-        let Some((axis, value)) = self.pole else { return small && cell.holds(&self.x, 0.5) };
-        // All values of the other parameter of the collapsed border are this point.
-        let mut flat = *cell;
-        let free = axis ^ 1;
-        (flat.lower[free], flat.upper[free]) = (self.x[free], self.x[free]);
-        let mut x = self.x;
-        x[axis] = value;
+        let (mut flat, mut x) = (*cell, self.x);
+        for (axis, value) in self.poles.into_iter().flatten() {
+            // All values of the other parameter of the collapsed border are this point.
+            let free = axis ^ 1;
+            (flat.lower[free], flat.upper[free], x[axis]) = (x[free], x[free], value);
+        }
         (small || flat.width() <= SMALL) && flat.holds(&x, 0.5)
     }
 
     /// Is it this place, or nearly?
     pub(super) fn is_at(&self, x: &Place, reach: f64) -> bool {
-        let same = |k: usize| (self.x[k] - x[k]).abs() < reach;
-        let free = self.pole.map_or(4, |(axis, _)| axis ^ 1);
-        (0..4).all(|k| k == free || same(k))
+        let free = |k: usize| self.poles[k / 2].is_some_and(|(axis, _)| axis ^ 1 == k);
+        (0..4).all(|k| free(k) || (self.x[k] - x[k]).abs() < reach)
+    }
+
+    /// Is it the point of a collapsed border?
+    pub(super) fn is_pole(&self) -> bool {
+        self.poles != [None; 2]
     }
 }
 
@@ -215,6 +222,10 @@ fn coincide(tangency: &Tangency, cell: &Cell, reach: f64) -> Option<Cell> {
             // There and back, so that each start is near.
             let j = if i % 2 == 0 { step } else { STEPS - step };
             (start[0], start[1]) = (at(i, 0), at(j, 1));
+            let jet = tangency.pair.a.jet::<false>(start[0], start[1]);
+            if norm(&cross(&jet.u, &jet.v)) <= 1e-9 * norm(&jet.u) * norm(&jet.v) {
+                continue;
+            }
             // At a collapsed border there is no foot to speak of.
             let Some((x, distance)) = foot(tangency.pair, &start) else { continue };
             // Beyond the cell there is nothing to coincide with.

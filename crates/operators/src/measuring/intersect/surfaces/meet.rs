@@ -237,7 +237,7 @@ impl<'a> Following<'a> {
         let [a, b] = self.pair.jets::<false>(&x);
         let p = std::array::from_fn(|k| f64::midpoint(a.p[k], b.p[k]));
         let gap = dot(&plus(&a.p, -1.0, &b.p), &plus(&a.p, -1.0, &b.p)).sqrt();
-        Touch { x, p, gap, halves: Vec::new(), known: true, crossing: true, pole: None }
+        Touch { x, p, gap, halves: Vec::new(), known: true, crossing: true, poles: [None; 2] }
     }
 
     /// Is every mark passed once, and every arc followed to its end?

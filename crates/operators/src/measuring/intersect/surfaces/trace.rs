@@ -193,13 +193,17 @@ enum Arrival {
 impl Touch {
     /// The knot at a collapsed border, by going straight on from a knot near it.
     fn pole_after(&self, now: &Knot, far: f64) -> Option<Knot> {
-        let (axis, value) = self.pole?;
+        if !self.is_pole() {
+            return None;
+        }
         let dp = super::space::unit(&plus(&now.dp, far, &now.ddp))?;
         let dx = plus(&now.dx, far, &now.ddx);
         let mut x = self.x;
-        let along = axis ^ 1;
-        x[along] = now.x[along] + far * (now.dx[along] + 0.5 * far * now.ddx[along]);
-        x[axis] = value;
+        for (axis, value) in self.poles.into_iter().flatten() {
+            let along = axis ^ 1;
+            x[along] = now.x[along] + far * (now.dx[along] + 0.5 * far * now.ddx[along]);
+            x[axis] = value;
+        }
         Some(Knot { x, dx, ddx: now.ddx, p: self.p, dp, ddp: now.ddp, sine: now.sine })
     }
 }

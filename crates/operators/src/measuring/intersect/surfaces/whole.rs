@@ -31,6 +31,9 @@ const LONGEST: f64 = 0.15;
 /// Pairs of parts looked at in all before what is left is undecided: some seconds.
 const WORK: usize = 4_000_000;
 
+/// Of these, for one pair of pieces.
+const SHARE: usize = 400_000;
+
 /// A piece of a surface: a part of its window.
 struct Piece {
     patch: Patch,
@@ -71,7 +74,10 @@ pub(in crate::measuring::intersect) fn surface_surface(
     for one in &mut ones {
         for other in &mut others {
             if one.tree.parts[0].may_meet(&other.tree.parts[0]) {
-                all.add(one, other, limits, &mut work);
+                let mut share = Work(work.0.min(SHARE));
+                work.0 -= share.0;
+                all.add(one, other, limits, &mut share);
+                work.0 += share.0;
             }
         }
     }
@@ -211,9 +217,9 @@ fn contact(touch: &Touch, units: Units) -> Contact {
         first: touch.x[..2].to_vec(),
         second: touch.x[2..].to_vec(),
         point: in_space(&touch.p, units),
-        kind: match (touch.crossing, touch.pole) {
-            (true, None) => ContactKind::Crossing,
-            (true, Some(_)) => ContactKind::Touch,
+        kind: match (touch.crossing, touch.is_pole()) {
+            (true, false) => ContactKind::Crossing,
+            (true, true) => ContactKind::Touch,
             _ => ContactKind::Tangent,
         },
         order: match (touch.known, touch.crossing) {
