@@ -58,8 +58,10 @@ pub(super) fn meet(
         }
     }
     let doubts = following.doubts();
-    let proved =
-        found.loose.is_empty() && touching.overlaps.is_empty() && touching.curves.is_empty();
+    let proved = found.loose.is_empty()
+        && touching.points.is_empty()
+        && touching.overlaps.is_empty()
+        && touching.curves.is_empty();
     let Following { mut arcs, touches, mut undecided, .. } = following;
     undecided.extend(doubts);
     undecided.extend(&found.undecided);

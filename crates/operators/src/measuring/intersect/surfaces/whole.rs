@@ -49,8 +49,8 @@ struct Piece {
 /// surfaces, and of the points at its parameters, measured in the middle of every step; at most
 /// `accuracy` times the size of the smaller surface, but no less than 1e-10 of it.
 ///
-/// `complete` says that no branch is missing, but for a loop close to one of the contacts. It is not
-/// said where surfaces touch along a curve, where they coincide, or where the border of one lies in
+/// `complete` says that it is proved that no branch is missing. It is not said where surfaces touch,
+/// cross in a node or at a collapsed border, where they coincide, or where the border of one lies in
 /// the other: these are found by looking, not by proof.
 ///
 /// Errors: `Shape` unless both are surfaces in space; `Degenerate` for an axis with one pole, along
