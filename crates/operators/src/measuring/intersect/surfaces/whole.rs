@@ -134,7 +134,7 @@ impl Hull {
     fn units_with(&self, other: &Self) -> Option<(Units, f64)> {
         let low: V3 = std::array::from_fn(|k| self.low[k].max(other.low[k]));
         let high: V3 = std::array::from_fn(|k| self.high[k].min(other.high[k]));
-        let centre: V3 = std::array::from_fn(|k| 0.5 * low[k] + 0.5 * high[k]);
+        let centre: V3 = std::array::from_fn(|k| f64::midpoint(low[k], high[k]));
         let ends = [&self.low, &self.high, &other.low, &other.high];
         let scale = ends
             .iter()
