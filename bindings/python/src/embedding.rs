@@ -348,7 +348,8 @@ impl<'py> Deformation<'_, 'py> {
             return object(py, self.bent(py, &shapes::read("object", thing)?)?);
         }
         if let Ok(lazy) = thing.cast::<PyImmersed>() {
-            let form = done(py, usize::MAX, || lazy.get().immersed.expand())?;
+            let immersed = &lazy.get().immersed;
+            let form = done(py, usize::MAX, || immersed.expand())?;
             return object(py, self.bent(py, &form.into())?);
         }
         if thing.hasattr(intern!(py, "vertices"))? {
@@ -373,7 +374,8 @@ impl<'py> Deformation<'_, 'py> {
     fn bent(&self, py: Python<'py>, object: &Shape) -> PyResult<Shape> {
         let work = bending_work(object, &self.cage)?;
         require_feasible("the deformation", work)?;
-        done(py, usize::MAX, || operators::deform(object, &self.cage, &self.rest))
+        let (cage, rest) = (&self.cage, &self.rest);
+        done(py, usize::MAX, || operators::deform(object, cage, rest))
     }
 
     fn followed(
@@ -384,8 +386,9 @@ impl<'py> Deformation<'_, 'py> {
         let rest = self.rest.cage(&self.cage).map_err(|error| raised(&error))?;
         let found = embedded(py, points, &rest, self.accuracy, self.outside)?;
         let cost = self.cage.net().homogeneous().len().saturating_mul(found.embedding.len());
-        filled(py, &found.shape, Some(self.cage.net().ambient()), None, |numbers| {
-            done(py, cost, || found.embedding.at_into(&self.cage, numbers))
+        let cage = &self.cage;
+        filled(py, &found.shape, Some(cage.net().ambient()), None, |numbers| {
+            done(py, cost, || found.embedding.at_into(cage, numbers))
         })
     }
 

@@ -71,6 +71,7 @@ pub(crate) fn all() -> Vec<Operator> {
         projecting::ENTRIES,
         measuring::ENTRIES,
         folding::ENTRIES,
+        solids::ENTRIES,
         deforming::ENTRIES,
         intersecting::ENTRIES,
         differentiating::ENTRIES,
