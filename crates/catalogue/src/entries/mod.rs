@@ -76,7 +76,6 @@ pub(crate) fn all() -> Vec<Operator> {
         intersecting::ENTRIES,
         differentiating::ENTRIES,
         relaxing::ENTRIES,
-        solids::ENTRIES,
         geodesics::ENTRIES,
         transforming::ENTRIES,
         turning::ENTRIES,
