@@ -28,6 +28,7 @@ from pforms.records import (
     Parallel,
     Pipe,
     Projection,
+    Ratios,
     Simplified,
     Solid,
     UnitSpeed,
@@ -100,6 +101,7 @@ __all__ = [
     "fit",
     "forecast",
     "geodesic",
+    "golden",
     "gordon",
     "grid",
     "hyperbola",
@@ -129,6 +131,7 @@ __all__ = [
     "pipe",
     "polyline",
     "project_to_plane",
+    "ratios",
     "remove_knots",
     "revolve",
     "rotate",
@@ -1129,6 +1132,11 @@ def minimal(
     accuracy: float = 1e-9,
     report: Literal[True],
 ) -> Minimal: ...
+def ratios(form: Form | Spline | ArrayLike, axis: int = 0) -> Ratios: ...
+@overload
+def golden(a: Form | ArrayLike, b: Form | ArrayLike) -> Form: ...
+@overload
+def golden(a: Form | Spline | ArrayLike, b: Form | Spline | ArrayLike) -> Form | Spline: ...
 def partition(a: _Number, b: _Number, r: int) -> _Array: ...
 def bernstein(n: int, i: int, t: ArrayLike) -> _Array: ...
 def pascal(n: int) -> list[int]: ...

@@ -154,6 +154,27 @@ class Mesh(NamedTuple):
         return f"<pforms.Mesh of {len(self.vertices)} vertices, {len(self.triangles)} triangles>"
 
 
+class Ratios(NamedTuple):
+    """The sides of control polygons and how they stand to one another.
+
+    Of a curve each is one row; of other forms a row for each line of poles along the axis.
+
+    >>> import pforms as pf
+    >>> pf.ratios([(0, 0), (2, 0), (2, 3)]).nearest
+    ['3/2']
+    """
+
+    sides: NDArray[float64]
+    ratios: NDArray[float64]
+    """Each side by the one before; infinite after one that is a point."""
+    angles: NDArray[float64]
+    """The angle by which each side turns from the one before, in radians."""
+    nearest: list[str] | list[list[str]]
+    """The known ratio that is nearest: "1", "3/2", "φ", "1/φ", …"""
+    gaps: NDArray[float64]
+    """By how much the ratio is larger than that, as a part of it."""
+
+
 class Minimal(NamedTuple):
     """A surface on a given boundary, and how near it is to a minimal one.
 

@@ -19,6 +19,7 @@ mod forms;
 mod geodesics;
 mod gestures;
 mod grids;
+mod harmony;
 mod immersed;
 mod inside;
 mod intersecting;
@@ -77,6 +78,8 @@ mod _pforms {
     use crate::gestures::{bernstein, explain, midpoint, partition, pascal, stack};
     #[pymodule_export]
     use crate::grids::grid;
+    #[pymodule_export]
+    use crate::harmony::{golden, ratios};
     #[pymodule_export]
     use crate::immersed::{PyImmersed, forecast, immerse};
     #[pymodule_export]

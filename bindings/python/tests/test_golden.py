@@ -248,6 +248,10 @@ CALLS = {
     ),
     "grid": lambda f, *lists: pf.Form(f.grid(*lists)),
     "kind": lambda f: f.kind,
+    "golden": lambda a, b, *at: pf.golden(a, b)(*at) if at else pf.golden(a, b).poles,
+    "ratios": lambda f, *axis, part=None: (
+        getattr(pf.ratios(f, *axis), part) if part else pf.ratios(f, *axis)
+    ),
     "minimal": little_area,
     "normal_form": pf.normal_form,
     "is_developable": lambda f, part="developable": getattr(

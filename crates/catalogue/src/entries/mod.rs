@@ -15,6 +15,7 @@ mod forms;
 mod framing;
 mod geodesics;
 mod gestures;
+mod harmony;
 mod immersing;
 mod interpolating;
 mod intersecting;
@@ -77,6 +78,7 @@ pub(crate) fn all() -> Vec<Operator> {
         differentiating::ENTRIES,
         relaxing::ENTRIES,
         geodesics::ENTRIES,
+        harmony::ENTRIES,
         transforming::ENTRIES,
         turning::ENTRIES,
         mirroring::ENTRIES,

@@ -25,6 +25,9 @@ const REFRESH: usize = 12;
 /// Rounding of a sum of areas, as a part of it.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
+/// Pivots below this part of their diagonal are rounding: the matrix guides steps, and need not be exact.
+pub(super) const FLOOR: f64 = 1e-13;
+
 /// The area to be made least.
 ///
 /// With the metric of the surface held fixed, the Dirichlet energy is at least the area of any other
@@ -125,7 +128,7 @@ impl Least<'_> {
 
     fn matrix(&self, state: &State) -> Result<Banded<f64>> {
         let rule = |metric: Metric| metric.softened(self.size);
-        self.patch.matrix(&state.coordinates, self.free, rule).factored()
+        self.patch.matrix(&state.coordinates, self.free, rule).factored(&FLOOR, true)
     }
 
     /// The coordinates of free poles.

@@ -16,16 +16,27 @@ impl<S: Scalar> Banded<S> {
 
     /// Takes the matrix apart into `Lᵀ·D·L`: the rows become those of `D·L`.
     ///
-    /// No row is exchanged: of a positive matrix none need be. Zeros stay zeros.
+    /// No row is exchanged: of a positive matrix none need be. Zeros stay zeros. A pivot that is no
+    /// more than `floor` of its diagonal is rounding; `mend` puts the floor itself in its place, and the
+    /// matrix is another one nearby.
     ///
-    /// Errors: `Degenerate` when a pivot is not positive.
-    pub(super) fn factored(mut self) -> Result<Self> {
-        for k in 0..self.rows.len() {
+    /// Errors: `Accuracy` for such a pivot, unless it is mended, and for numbers that are not finite.
+    pub(super) fn factored(mut self, floor: &S, mend: bool) -> Result<Self> {
+        let floors: Vec<S> = self.rows.iter().map(|row| row[0].clone() * floor.clone()).collect();
+        for (k, floor) in floors.into_iter().enumerate() {
             let (done, rest) = self.rows.split_at_mut(k + 1);
-            let row = &done[k];
-            if row[0] <= S::zero() || !row[0].is_finite() {
-                let received = format!("{:?} as pivot {k}", row[0]);
-                return Err(Error::degenerate("boundary", received, "poles that are determined"));
+            let row = &mut done[k];
+            let small = row[0] <= floor;
+            if !row[0].is_finite() || (small && !(mend && floor > S::zero())) {
+                let expected = "orders or knots low and even enough to solve for poles";
+                return Err(Error::accuracy(
+                    "boundary",
+                    "a system that rounding makes singular",
+                    expected,
+                ));
+            }
+            if small {
+                row[0] = floor;
             }
             for (i, target) in (1..row.len()).zip(rest) {
                 if !row[i].is_zero() {
@@ -75,7 +86,10 @@ pub(super) fn least<S: Scalar>(
         return Ok(net.clone());
     }
     let (ambient, width) = (net.ambient(), net.width());
-    let matrix = between(net.orders(), energy, free)?.factored()?;
+    // The last bit but twenty of numbers of twice the precision; plain ones are for nets alone,
+    // whose pivots are above a quarter of the diagonal.
+    let floor = if S::EXACT { S::zero() } else { S::one() / S::from_integer(2).power(86) };
+    let matrix = between(net.orders(), energy, free)?.factored(&floor, false)?;
     let mut poles = net.homogeneous().to_vec();
     for &index in free {
         poles[index * width..][..ambient].fill(S::zero());

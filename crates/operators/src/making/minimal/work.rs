@@ -4,11 +4,11 @@ use pforms_kernel::{Error, Form, Result};
 
 use super::area::Minimal;
 use super::boundary::Frame;
-use super::descent::Least;
+use super::descent::{FLOOR, Least};
 use super::metric::Metric;
 use super::patch::{Patch, Point};
 use super::units::Units;
-use super::{Functional, MinimalOptions, energy, system};
+use super::{Functional, MinimalOptions, least};
 use crate::algebra::{Poles, Shape, Spline};
 use crate::measuring::vector::{dot, plus};
 use crate::measuring::{Measure, area};
@@ -50,8 +50,7 @@ impl Work {
     pub(super) fn least(&self, functional: Functional) -> Result<Vec<f64>> {
         let net = self.frame.spline.net();
         if net.uniform_weight().is_some() {
-            let energy = energy(&self.frame, functional, &self.options.sides)?;
-            return Ok(coordinates(&system::least(net, &energy, &self.frame.free)?));
+            return Ok(coordinates(&least(&self.frame, functional, &self.options.sides)?));
         }
         if functional == Functional::Dirichlet {
             let patch = Patch::new(&self.frame.spline, self.nodes);
@@ -65,7 +64,12 @@ impl Work {
         ))
     }
 
-    /// The length of the box of parameters along v by that along u.
+    /// The length of the box along v, that along u being 1, when `∂v` counts `1/ratio` times as `∂u`.
+    fn length_ratio(&self, ratio: f64) -> f64 {
+        ratio * self.sides[1] / self.sides[0] / self.ratio()
+    }
+
+    /// The scale of parameters along v by that along u.
     fn ratio(&self) -> f64 {
         let window = |axis: usize| self.frame.spline.knots()[axis].window();
         let scale = |axis: usize| self.sides[axis] / (window(axis).1 - window(axis).0);
@@ -78,7 +82,7 @@ impl Work {
         let rule = |_: Metric| [ratio, 0.0, 1.0 / ratio];
         let ambient = self.frame.spline.ambient();
         let mut all = coordinates(self.frame.spline.net());
-        let matrix = patch.matrix(&all, &self.frame.free, rule).factored()?;
+        let matrix = patch.matrix(&all, &self.frame.free, rule).factored(&FLOOR, true)?;
         let slope = patch.slope(&all, rule);
         let poles = self.frame.free.iter().map(|&index| &slope[index * ambient..][..ambient]);
         let mut step: Vec<f64> = poles.flatten().copied().collect();
@@ -177,6 +181,14 @@ impl Work {
             let found = self.rational(patch, ratio)?;
             all.truncate(1);
             all.push(found);
+        }
+        if self.frame.spline.net().uniform_weight().is_some() {
+            // The same, free of what the condition of the system does in plain numbers.
+            for sides in [self.sides.clone(), vec![1.0, self.length_ratio(ratio)]] {
+                if let Ok(net) = least(&self.frame, Functional::Dirichlet, &sides) {
+                    all.push(coordinates(&net));
+                }
+            }
         }
         Ok(all)
     }
