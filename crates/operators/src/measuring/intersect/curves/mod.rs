@@ -4,6 +4,7 @@
 //! it leaves over is looked at with more care. Curves in space are seen in a plane, in which they
 //! come as near as they do in space: what meets there is compared in space.
 
+mod blurred;
 mod clip;
 mod closest;
 mod flat;

@@ -3,6 +3,7 @@
 
 use pforms_kernel::{Form, Result};
 
+use super::blurred::sharpened;
 use super::closest::{closest, jet};
 use super::flat::{View, poles};
 use super::leftover::{Window, contact_in, gathered, within};
@@ -31,6 +32,7 @@ pub(super) fn settle(
                 answer.overlaps = overlaps(a, b, margin)?;
                 together(a, b, &mut answer.contacts, margin);
                 touches(a, b, left, margin, answer)?;
+                sharpen(a, b, &mut answer.contacts, margin);
             }
         }
         Exact::Shared => shared(a, b, margin.max(ARC), answer)?,
@@ -123,6 +125,16 @@ fn join(a: &Form, last: &mut Contact, next: &Contact) {
     last.order += next.order;
     last.error = reach + last.error.max(next.error);
     last.proved = false;
+}
+
+/// Contacts of a higher order up to the margin are told as such.
+fn sharpen(a: &Form, b: &Form, contacts: &mut [Contact], margin: f64) {
+    for contact in contacts {
+        let exact = contact.proved && contact.order > 1;
+        if let Some(sharp) = sharpened(a, b, contact, margin).filter(|_| !exact) {
+            *contact = sharp;
+        }
+    }
 }
 
 /// Places beside a contact, which are that contact.

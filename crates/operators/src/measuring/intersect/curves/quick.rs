@@ -37,7 +37,7 @@ const LEFT: usize = 64;
 const FINEST: f64 = 1.0 / (1_u64 << 32) as f64;
 
 /// Roots this near to a part belong to it.
-const BESIDE: f64 = 1e-12;
+const BESIDE: f64 = 1e-10;
 
 /// Pairs in waiting, kept from one search to the next.
 pub(super) struct Search<const D: usize, const N: usize> {

@@ -7,6 +7,7 @@
 
 mod implicit;
 mod isolate;
+mod modular;
 mod polynomial;
 
 use num_bigint::BigInt;

@@ -4,6 +4,8 @@ use num_bigint::{BigInt, Sign};
 use num_integer::Integer;
 use num_traits::{One, Signed, Zero};
 
+use super::modular;
+
 /// `Σ cᵢ xⁱ`; the last coefficient is not 0, and 0 has none.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Polynomial(Vec<BigInt>);
@@ -102,7 +104,13 @@ impl Polynomial {
     }
 
     /// The greatest common divisor, primitive.
+    ///
+    /// Mostly there is none, which shows in remainders by a prime: no root modulo the prime can be hidden
+    /// from it as long as a leading coefficient is not divisible by it.
     pub(super) fn gcd(&self, other: &Self) -> Self {
+        if modular::are_coprime(&self.0, &other.0) {
+            return Self(vec![BigInt::one()]);
+        }
         let (mut a, mut b) = (self.clone().primitive(), other.clone().primitive());
         if a.degree() < b.degree() || a.is_zero() {
             std::mem::swap(&mut a, &mut b);
