@@ -1444,7 +1444,11 @@ def interpolating_spline(
     circle: bool = False,
 ) -> Spline: ...
 def intersect(
-    first: Form | Spline | ArrayLike, second: Form | Spline | ArrayLike, *, accuracy: float = 1e-14
+    first: Form | Spline | ArrayLike,
+    second: Form | Spline | ArrayLike,
+    *,
+    accuracy: float = 1e-14,
+    host: Form | Spline | ArrayLike | None = None,
 ) -> Intersection: ...
 def intersect_many(
     first: Form | Sequence[Form] | ArrayLike,

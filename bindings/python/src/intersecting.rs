@@ -32,6 +32,8 @@ use crate::spline::PySpline;
 ///     In sizes of the forms: what comes nearer and does not meet is a touch; crossings between which
 ///     the forms stay nearer are one tangent, and arcs that do are an overlap. With 0 only what
 ///     is exactly so is told.
+/// host : Form or Spline, optional
+///     Where the two are immersed: they are curves in its parameters, and points are points of it.
 ///
 /// Returns
 /// -------
@@ -57,20 +59,26 @@ use crate::spline::PySpline;
 /// (('crossing', 'crossing'), True)
 #[pyfunction]
 #[pyo3(
-    signature = (first, second, *, accuracy=None),
-    text_signature = "(first, second, *, accuracy=1e-14)"
+    signature = (first, second, *, accuracy=None, host=None),
+    text_signature = "(first, second, *, accuracy=1e-14, host=None)"
 )]
 pub(crate) fn intersect<'py>(
     first: &Bound<'py, PyAny>,
     second: &Bound<'py, PyAny>,
     accuracy: Option<&Bound<'py, PyAny>>,
+    host: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Bound<'py, PyAny>> {
     let (a, b) = (read("first", first)?, read("second", second)?);
     let accuracy = accuracy.map_or(Ok(ACCURACY), |x| real("accuracy", x))?;
     let py = first.py();
     let cost = PAIR.saturating_mul(a.net().pole_count()).saturating_mul(b.net().pole_count());
-    let found = done(py, cost, || operators::intersect(&a, &b, accuracy))?;
-    record(py, &a, &b, found)
+    let host = host.map(|host| read("host", host)).transpose()?;
+    let ambient = host.as_ref().unwrap_or(&a).net().ambient();
+    let found = done(py, cost, || match &host {
+        Some(host) => operators::intersect_inside(host, &a, &b, accuracy),
+        None => operators::intersect(&a, &b, accuracy),
+    })?;
+    record(py, [a.net().axes(), b.net().axes(), ambient], found)
 }
 
 /// Where the forms of many pairs meet, in one call.
@@ -186,7 +194,7 @@ fn crossings<'py>(
     let whole = PyDict::new(py);
     for (i, answer) in found.overlapping {
         let (a, b) = pairs[i];
-        whole.set_item(i, record(py, &a.clone().into(), &b.clone().into(), answer)?)?;
+        whole.set_item(i, record(py, [a.axes(), b.axes(), a.ambient()], answer)?)?;
     }
     let starts: Vec<i64> = found.starts.iter().map(|start| *start as i64).collect();
     let kinds: Vec<u8> = found.kinds.iter().map(|kind| *kind as u8).collect();
@@ -205,11 +213,10 @@ fn class<'py>(py: Python<'py>, name: &str) -> PyResult<Bound<'py, PyAny>> {
     py.import(intern!(py, "pforms.records"))?.getattr(name)
 }
 
-/// A `pforms.records.Intersection`.
+/// A `pforms.records.Intersection`, for the axes of both forms and the dimension of the points.
 fn record<'py>(
     py: Python<'py>,
-    a: &Shape,
-    b: &Shape,
+    [p, q, ambient]: [usize; 3],
     found: Intersections,
 ) -> PyResult<Bound<'py, PyAny>> {
     let list = &found.contacts;
@@ -219,7 +226,6 @@ fn record<'py>(
     };
     let column =
         |part: &dyn Fn(&Contact) -> f64| array(py, &[count], list.iter().map(part).collect());
-    let (p, q) = (a.net().axes(), b.net().axes());
     let ends = |pair: &[Vec<f64>; 2], axes: usize| array(py, &[2, axes], pair.concat());
     let overlaps = found.overlaps.iter().map(|o| {
         class(py, "Overlap")?.call1((ends(&o.first, p)?, ends(&o.second, q)?, o.gap, o.proved))
@@ -232,7 +238,7 @@ fn record<'py>(
     let fields = [
         wide(p, &|c| &c.first)?.into_bound_py_any(py)?,
         wide(q, &|c| &c.second)?.into_bound_py_any(py)?,
-        wide(a.net().ambient(), &|c| &c.point)?.into_bound_py_any(py)?,
+        wide(ambient, &|c| &c.point)?.into_bound_py_any(py)?,
         PyTuple::new(py, kinds)?.into_any(),
         PyArray1::from_vec(py, orders).into_any(),
         column(&|c| c.gap)?.into_bound_py_any(py)?,
@@ -279,7 +285,7 @@ macro_rules! methods {
                 other: &Bound<'py, PyAny>,
                 accuracy: Option<&Bound<'py, PyAny>>,
             ) -> PyResult<Bound<'py, PyAny>> {
-                intersect(slf.as_any(), other, accuracy)
+                intersect(slf.as_any(), other, accuracy, None)
             }
         }
     };

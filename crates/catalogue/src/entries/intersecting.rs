@@ -46,6 +46,15 @@ pub(super) static ENTRIES: &[Operator] = &[Operator {
         )
         .range(0.0, 1.0)
         .or(Fallback::Ratio(1, 100_000_000_000_000)),
+        Parameter::new(
+            Takes::Form,
+            words("host", "hôte"),
+            words(
+                "What the two are immersed in: they are curves in its parameters.",
+                "Où les deux sont immergées : ce sont des courbes dans ses paramètres.",
+            ),
+        )
+        .or_absent("none", "aucun"),
     ],
     gives: Takes::Record,
     example: "=INTERSECT([(-1, 1), (0, -1), (1, 1)], [(-1, 1/4), (1, 1/4)])",
@@ -63,7 +72,12 @@ fn intersect(a: &Bound<f64>) -> Outcome<f64> {
     for shape in [&first, &second] {
         require_points(shape.net(), EVALUATIONS, 0.0)?;
     }
-    let found = operators::intersect(&first, &second, a.number(3)?)?;
+    let accuracy = a.number(3)?;
+    let found = if a.is_given(4) {
+        operators::intersect_inside(&a.shape(4)?, &first, &second, accuracy)?
+    } else {
+        operators::intersect(&first, &second, accuracy)?
+    };
     let entries = entries(&found);
     if a.is_given(2) { entry(&entries, &a.text(2)?) } else { Ok(Value::Record(entries)) }
 }

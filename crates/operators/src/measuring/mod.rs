@@ -52,7 +52,7 @@ pub use feet::{Feet, Foot, FootKind, project_all};
 pub use folds::{Folding, Folds, folds};
 pub use intersect::{
     Branch, Contact, ContactKind, Crossings, Intersections, Overlap, Undecided, intersect,
-    intersect_many,
+    intersect_inside, intersect_many,
 };
 pub use invert::{Doubt, Inversion, Inverter, Preimage, invert};
 pub use mass::{Mass, mass};

@@ -7,6 +7,7 @@ mod answer;
 mod curve_surface;
 mod curves;
 mod exact;
+mod inside;
 mod pieces;
 mod surfaces;
 
@@ -14,6 +15,7 @@ use pforms_kernel::{Error, Result};
 
 pub use answer::{Branch, Contact, ContactKind, Intersections, Overlap, Undecided};
 pub use curves::{Crossings, intersect_many};
+pub use inside::intersect_inside;
 
 use crate::{Poles, Shape};
 

@@ -10,6 +10,7 @@ use super::leftover::{Window, contact_in, gathered, within};
 use super::overlap::{ends, overlaps};
 use crate::measuring::intersect::answer::{Contact, ContactKind, Intersections, sort};
 use crate::measuring::intersect::exact::{Exact, Meeting, meetings};
+use crate::project;
 
 /// Arcs of one curve are the same if their computed ends are.
 const ARC: f64 = 1e-12;
@@ -26,12 +27,12 @@ pub(super) fn settle(
     answer: &mut Intersections,
 ) -> Result<()> {
     match meetings(&poles(a, view), &poles(b, view)) {
-        Exact::Meetings(list) => {
+        Exact::Meetings(list, turns) => {
             answer.contacts = list.iter().map(|meeting| met(a, meeting)).collect();
             if margin > 0.0 {
                 answer.overlaps = overlaps(a, b, margin)?;
                 together(a, b, &mut answer.contacts, margin);
-                touches(a, b, left, margin, answer)?;
+                touches(a, b, left, &turns, margin, answer)?;
                 sharpen(a, b, &mut answer.contacts, margin);
             }
         }
@@ -145,10 +146,17 @@ fn touches(
     a: &Form,
     b: &Form,
     left: &[Window],
+    turns: &[f64],
     margin: f64,
     answer: &mut Intersections,
 ) -> Result<()> {
     let mut places = ends(a, b, margin)?;
+    let points = turns.iter().map(|t| b.at(&[*t])).collect::<Result<Vec<_>>>()?.concat();
+    for (s, t) in project(a, &points, 0.0)?.parameters.iter().zip(turns) {
+        let room = [*s, *t].map(|x| [(x - CLUSTER).max(0.0), (x + CLUSTER).min(1.0)]);
+        let near = closest(a, b, [*s, *t], &room);
+        places.push([near.s, near.t]);
+    }
     for window in gathered(left) {
         let middle = window.map(|[from, to]| 0.5 * (from + to));
         let room = window.map(|[from, to]| [(from - BESIDE).max(0.0), (to + BESIDE).min(1.0)]);

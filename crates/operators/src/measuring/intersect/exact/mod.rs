@@ -22,8 +22,9 @@ pub(super) enum Exact {
     Shared,
     /// One is run through more than once, or a point, or the degrees are too high.
     Unknown,
-    /// All their meetings.
-    Meetings(Vec<Meeting>),
+    /// All their meetings, and parameters of the second around which it comes near the first or goes
+    /// away from it: where the equation of the first has an extremum.
+    Meetings(Vec<Meeting>, Vec<f64>),
 }
 
 /// A place where two curves meet.
@@ -75,7 +76,11 @@ pub(super) fn meetings(a: &[[f64; 3]], b: &[[f64; 3]]) -> Exact {
     };
     let meeting =
         |&(i, j): &(usize, usize)| Meeting { s: s[i].value(), t: t[j].value(), order: order(i, j) };
-    Exact::Meetings(pairs.iter().map(meeting).collect())
+    let turns = real_roots(&polynomials[0].derivative());
+    Exact::Meetings(
+        pairs.iter().map(meeting).collect(),
+        turns.iter().map(RealRoot::value).collect(),
+    )
 }
 
 fn points(curve: &ExactCurve, roots: &[RealRoot]) -> Vec<[BigInt; 3]> {
@@ -106,7 +111,7 @@ mod tests {
             list.iter().map(|[x, y]| [*x, *y, 1.0]).collect()
         };
         match meetings(&poles(a), &poles(b)) {
-            Exact::Meetings(list) => list.iter().map(|m| (m.s, m.t, m.order)).collect(),
+            Exact::Meetings(list, _) => list.iter().map(|m| (m.s, m.t, m.order)).collect(),
             Exact::Shared => panic!("shared"),
             Exact::Unknown => panic!("unknown"),
         }
