@@ -5,8 +5,8 @@ use std::f64::consts::PI;
 
 use pforms_kernel::Form;
 use pforms_operators::{
-    Ending, Geodesic, GeodesicOptions, Heading, Part, Shape, Spline, cone, cylinder, geodesic,
-    geodesics, scale, sphere, torus,
+    Ending, Geodesic, GeodesicOptions, Heading, Minimality, Part, Shape, Spline, SplineProjector,
+    cone, cylinder, geodesics, scale, sphere, torus,
 };
 use serde_json::Value;
 
@@ -219,4 +219,56 @@ fn many_at_once_as_one_by_one() {
             assert!((line.length - ends.lengths[k]).abs() <= ends.errors[k] + line.error);
         }
     }
+}
+
+/// Parameters of a point of a whole surface, by projection.
+fn parameters(surface: &Spline, point: &[f64]) -> [f64; 2] {
+    let found = SplineProjector::new(surface, 1e-12).unwrap().project(point).unwrap();
+    assert!(found.distances[0] < 1e-12);
+    [found.parameters[0], found.parameters[1]]
+}
+
+#[test]
+fn shortest_ways_of_the_truth() {
+    let item = truth("cylinder-geodesic-2-120-3");
+    let surface = whole(cylinder(&2.0, &3.0, Part::Pieces).unwrap());
+    let p = parameters(&surface, &[2.0, 0.0, 0.0]);
+    let q = numbers(&item["input"]["p2"]);
+    let q = parameters(&surface, &[q[0], q[2], q[1]]);
+    let lines = geodesic_between(surface, p, q, None, &to(1e-10)).unwrap();
+    let first = &lines[0];
+    assert!((first.geodesic.length - number(&item["values"]["length"])).abs() < 1e-9);
+    assert_eq!(first.minimality, Minimality::Local);
+
+    let item = truth("sphere-geodesic-1-10-20-50-110");
+    let surface = whole(sphere(&1.0, Part::Pieces).unwrap());
+    let [p, q] = ["p1", "p2"].map(|name| {
+        let point = numbers(&item["input"][name]);
+        parameters(&surface, &[point[0], point[2], point[1]])
+    });
+    let lines = geodesic_between(surface, p, q, None, &to(1e-10)).unwrap();
+    assert!((lines[0].geodesic.length - number(&item["values"]["length"])).abs() < 1e-9);
+    assert!(lines[0].gap <= 1e-10);
+
+    let item = truth("cone-geodesic-30-2-3-90");
+    let (sine, cosine) = (0.5, 0.75_f64.sqrt());
+    // The apex up: half-angle 30°, points 2 and 3 from it.
+    let surface = whole(cone(&(4.0 * sine), &(4.0 * cosine), &0.0, Part::Pieces).unwrap());
+    let place =
+        |slant: f64, x: f64, z: f64| [slant * sine * x, (4.0 - slant) * cosine, slant * sine * z];
+    let p = parameters(&surface, &place(2.0, 1.0, 0.0));
+    let q = parameters(&surface, &place(3.0, 0.0, 1.0));
+    let lines = geodesic_between(surface, p, q, None, &to(1e-10)).unwrap();
+    assert!((lines[0].geodesic.length - number(&item["values"]["length"])).abs() < 1e-9);
+}
+
+#[test]
+fn opposite_points_and_the_same() {
+    let surface = whole(sphere(&1.0, Part::Pieces).unwrap());
+    let p = parameters(&surface, &[1.0, 0.0, 0.0]);
+    let q = parameters(&surface, &[-1.0, 0.0, 0.0]);
+    let lines = geodesic_between(surface.clone(), p, q, Some(4.0), &to(1e-9)).unwrap();
+    assert!((lines[0].geodesic.length - PI).abs() < 1e-8);
+    assert_eq!(lines[0].minimality, Minimality::Family);
+    assert!(geodesic_between(surface, p, p, None, &to(1e-9)).unwrap().is_empty());
 }

@@ -150,6 +150,12 @@ impl Atlas {
         pairs.map(|(x, c)| shifted(*x + c, self.unit)).collect()
     }
 
+    /// A point in units from one of the surface.
+    pub(super) fn unplaced(&self, point: &[f64]) -> Vec<f64> {
+        let pairs = point.iter().zip(&self.centre);
+        pairs.map(|(x, c)| shifted(*x, -self.unit) - c).collect()
+    }
+
     /// The piece that holds parameters of the surface, and the place in it.
     pub(super) fn locate(&self, parameters: [f64; 2]) -> (usize, [f64; 2]) {
         let mut index = [0; 2];

@@ -8,6 +8,7 @@
 //! may be off is what the errors of the steps become as neighbouring geodesics part or meet (`growth`).
 
 mod atlas;
+mod between;
 mod bulk;
 mod cap;
 mod cross;
@@ -24,6 +25,7 @@ use pforms_kernel::{Error, Result};
 use crate::Spline;
 use crate::measuring::vector::{dot, norm, plus};
 use atlas::{Atlas, Edge};
+pub use between::{Connection, Minimality, geodesic_between};
 pub use bulk::{Arrivals, geodesics};
 use step::State;
 use trace::{Chart, Course, Request, trace};
