@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 from pforms.records import (
     Bicubic,
     Box,
+    Connection,
     Continuity,
     Crossings,
     Developability,
@@ -18,6 +19,7 @@ from pforms.records import (
     Frame,
     Inertia,
     Geodesic,
+    Geodesics,
     Intersection,
     Joined,
     Length,
@@ -102,6 +104,7 @@ __all__ = [
     "forecast",
     "geodesic",
     "golden",
+    "geodesic_between",
     "gordon",
     "grid",
     "hyperbola",
@@ -232,11 +235,11 @@ class Form:
         self,
         start: ArrayLike,
         direction: ArrayLike,
-        length: _Number,
+        length: ArrayLike,
         *,
         accuracy: _Number = 1e-10,
         seams: bool = True,
-    ) -> Geodesic: ...
+    ) -> Geodesic | Geodesics: ...
     def project(self, points: ArrayLike, *, accuracy: float = 1e-12) -> Projection: ...
     @overload
     def deform(self, cage: Form, *, rest: Form | Spline | ArrayLike | None = None) -> Form: ...
@@ -565,11 +568,11 @@ class Spline:
         self,
         start: ArrayLike,
         direction: ArrayLike,
-        length: _Number,
+        length: ArrayLike,
         *,
         accuracy: _Number = 1e-10,
         seams: bool = True,
-    ) -> Geodesic: ...
+    ) -> Geodesic | Geodesics: ...
     def project(self, points: ArrayLike, *, accuracy: float = 1e-12) -> Projection: ...
     def deform(
         self, cage: Form | Spline, *, rest: Form | Spline | ArrayLike | None = None
@@ -1405,15 +1408,25 @@ def tangent_developable(curve: Form | ArrayLike, length: _Number = 1.0) -> Form:
 def is_developable(form: Form | Spline | ArrayLike, *, report: Literal[False] = False) -> bool: ...
 @overload
 def is_developable(form: Form | Spline | ArrayLike, *, report: Literal[True]) -> Developability: ...
+def geodesic_between(
+    surface: Form | Spline | ArrayLike,
+    p: ArrayLike,
+    q: ArrayLike,
+    *,
+    longest: _Number | None = None,
+    all: bool = False,  # noqa: A002
+    accuracy: _Number = 1e-10,
+    seams: bool = True,
+) -> Connection | list[Connection]: ...
 def geodesic(
     surface: Form | Spline | ArrayLike,
     start: ArrayLike,
     direction: ArrayLike,
-    length: _Number,
+    length: ArrayLike,
     *,
     accuracy: _Number = 1e-10,
     seams: bool = True,
-) -> Geodesic: ...
+) -> Geodesic | Geodesics: ...
 @overload
 def unroll(
     form: Form | Spline | ArrayLike, *, accuracy: _Number = 1e-12, report: Literal[False] = False

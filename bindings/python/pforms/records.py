@@ -458,6 +458,48 @@ class Crossings(NamedTuple):
         """For each pair its parameters, shape (k, axes of both)."""
         ends = self.starts.tolist()
         return [self.parameters[i:j] for i, j in zip(ends[:-1], ends[1:], strict=True)]
+class Connection(NamedTuple):
+    """A straight line between two points of a surface.
+
+    >>> import pforms as pf
+    >>> way = pf.geodesic_between(pf.Form([[(0, 0), (0, 1)], [(1, 0), (1, 1)]]), (0, 0), (1, 0))
+    >>> round(way.length, 9), way.minimality
+    (1.0, 'proved')
+    """
+
+    geodesic: Geodesic | None
+    """The line; None when both points are the same."""
+    length: float
+    gap: float
+    """How far it ends from the point it was to reach."""
+    minimality: str
+    """ "proved" (it is straight), "local", "family" (there may be many), "not"."""
+
+
+class Geodesics(NamedTuple):
+    """Where many straight lines of a surface end.
+
+    >>> import pforms as pf
+    >>> square = pf.Form([[(0, 0), (0, 1)], [(1, 0), (1, 1)]])
+    >>> pf.geodesic(square, [(0, 0), (0.5, 0)], 0.0, 2).points.round(9).tolist()
+    [[1.0, 0.0], [1.0, 0.0]]
+    """
+
+    parameters: NDArray[float64]
+    """Of the ends, shape (…, 2)."""
+    points: NDArray[float64]
+    """The ends, shape (…, c)."""
+    directions: NDArray[float64]
+    """Unit directions there, shape (…, c)."""
+    lengths: NDArray[float64]
+    errors: NDArray[float64]
+    """How far the points may be from the true ones."""
+    endings: list[str]
+    """Why each ends, in the order of the starts."""
+    steps: int
+    """Steps of all of them together."""
+
+
 class Geodesic(NamedTuple):
     """A straight line on a surface.
 

@@ -2,14 +2,19 @@
 
 use numpy::PyArray1;
 use pforms_kernel::Error;
-use pforms_operators::{self as operators, Ending, Geodesic, GeodesicOptions, Heading, Spline};
+use pforms_operators::{
+    self as operators, Arrivals, Connection, Ending, Geodesic, GeodesicOptions, Heading,
+    Minimality, Spline,
+};
 use pyo3::intern;
 use pyo3::prelude::*;
+use pyo3::types::PyList;
 
 use crate::arguments::{real, reals, truth};
 use crate::arrays::Numbers;
 use crate::errors::{done, fail};
 use crate::form::PyForm;
+use crate::outputs::array;
 use crate::shapes;
 use crate::spline::PySpline;
 
@@ -24,9 +29,9 @@ type Any<'a, 'py> = &'a Bound<'py, PyAny>;
 /// ----------
 /// surface : Form or Spline
 ///     In 2D or more.
-/// start : two floats
-///     Parameters.
-/// direction : float, two floats, or a vector
+/// start : array_like, shape (2) or (…, 2)
+///     Parameters; of many starts only the ends are found, all in one go.
+/// direction : float, two floats, or a vector; for many starts one, or one for each
 ///     ``(u', v')``, a vector in space, of which the part in the tangent plane counts, or an angle ``A`` in
 ///     radians: ``u' = cos A, v' = sin A * |f_u|/|f_v|``.
 /// length : float
@@ -38,7 +43,7 @@ type Any<'a, 'py> = &'a Bound<'py, PyAny>;
 ///
 /// Returns
 /// -------
-/// Geodesic
+/// Geodesic, or Geodesics for many starts
 ///     ``spline`` in space and ``parameters`` on the surface, both over their length; ``length``, ``error``,
 ///     ``ending``, ``end``, ``point``, ``direction``, ``conjugate``, ``crease``, ``steps``.
 ///
@@ -73,6 +78,10 @@ pub(crate) fn geodesic<'py>(
 ) -> PyResult<Bound<'py, PyAny>> {
     let py = surface.py();
     let surface = shapes::read("surface", surface)?.into_spline();
+    let starts = Numbers::read("start", start)?;
+    if starts.shape().len() > 1 {
+        return many(py, &surface, &starts, direction, length, options(accuracy, seams)?);
+    }
     let start = pair("start", start)?;
     let heading = heading(direction, &surface)?;
     let length = real("length", length)?;
@@ -80,6 +89,172 @@ pub(crate) fn geodesic<'py>(
     let found =
         done(py, usize::MAX, || operators::geodesic(surface, start, &heading, length, &options))?;
     record(py, found)
+}
+
+/// The ends of many.
+fn many<'py>(
+    py: Python<'py>,
+    surface: &Spline,
+    starts: &Numbers<'py>,
+    direction: Any<'_, 'py>,
+    length: Any<'_, 'py>,
+    options: GeodesicOptions,
+) -> PyResult<Bound<'py, PyAny>> {
+    let Some((2, lead)) = starts.shape().split_last().map(|(last, lead)| (*last, lead)) else {
+        let received = format!("an array of shape {:?}", starts.shape());
+        return fail(&Error::shape("start", received, "shape (…, 2)"));
+    };
+    let places: Vec<[f64; 2]> = starts.values().chunks_exact(2).map(|p| [p[0], p[1]]).collect();
+    let headings = headings(direction, lead, surface.ambient())?;
+    let lengths = Numbers::read("length", length)?;
+    if !(lengths.shape().is_empty() || lengths.shape() == lead) {
+        let received = format!("an array of shape {:?}", lengths.shape());
+        return fail(&Error::shape("length", received, format!("a number, or shape {lead:?}")));
+    }
+    let lengths = lengths.values().to_vec();
+    if lead.contains(&0) {
+        return arrivals(py, lead, surface.ambient(), Arrivals::default());
+    }
+    let found = done(py, usize::MAX, || {
+        operators::geodesics(surface.clone(), &places, &headings, &lengths, &options)
+    })?;
+    arrivals(py, lead, surface.ambient(), found)
+}
+
+/// One heading for all, or one for each start.
+fn headings(object: Any, lead: &[usize], ambient: usize) -> PyResult<Vec<Heading>> {
+    let numbers = Numbers::read("direction", object)?;
+    let (shape, values) = (numbers.shape(), numbers.values());
+    if shape.is_empty() || shape == lead && ![2, ambient].contains(&lead[lead.len() - 1]) {
+        return Ok(values.iter().map(|angle| Heading::Angle(*angle)).collect());
+    }
+    let each = shape.split_last().filter(|(_, first)| first.is_empty() || *first == lead);
+    match each.map(|(last, _)| *last) {
+        Some(2) if ambient != 2 => {
+            Ok(values.chunks_exact(2).map(|p| Heading::Parameters([p[0], p[1]])).collect())
+        }
+        Some(width) if width == ambient => {
+            Ok(values.chunks_exact(width).map(|v| Heading::Vector(v.to_vec())).collect())
+        }
+        _ => {
+            let received = format!("an array of shape {shape:?}");
+            let expected =
+                format!("an angle, (u', v') or {ambient} numbers, one or for each start");
+            fail(&Error::shape("direction", received, expected))
+        }
+    }
+}
+
+/// A `pforms.records.Geodesics` of arrays whose first axes are those of the starts.
+fn arrivals<'py>(
+    py: Python<'py>,
+    lead: &[usize],
+    ambient: usize,
+    found: Arrivals,
+) -> PyResult<Bound<'py, PyAny>> {
+    let wide = |width: usize| -> Vec<usize> { lead.iter().copied().chain([width]).collect() };
+    let endings: Vec<&str> = found.endings.into_iter().map(ending).collect();
+    let fields = (
+        array(py, &wide(2), found.parameters)?,
+        array(py, &wide(ambient), found.points)?,
+        array(py, &wide(ambient), found.directions)?,
+        array(py, lead, found.lengths)?,
+        array(py, lead, found.errors)?,
+        endings,
+        found.steps,
+    );
+    py.import(intern!(py, "pforms.records"))?.getattr(intern!(py, "Geodesics"))?.call1(fields)
+}
+
+/// The straight line of a surface from one of its points to another.
+///
+/// Directions all around the first point are tried; of the lines that are found the shortest is given. That
+/// there is none shorter is proved only where ``minimality`` says so.
+///
+/// Parameters
+/// ----------
+/// surface : Form or Spline
+///     In 2D or more.
+/// p, q : two floats
+///     Parameters.
+/// longest : float, optional
+///     Lines up to this length are sought; otherwise up to one and a half times that of the segment
+///     between the parameters.
+/// all : bool, optional
+///     Return a list of all lines found, the shortest first.
+/// accuracy : float, optional
+///     Of the points, in sizes of the surface.
+/// seams : bool, optional
+///     Go over sides of the window that are one and the same line.
+///
+/// Returns
+/// -------
+/// Connection, or a list of them if all
+///     ``geodesic``, ``length``, ``gap`` and ``minimality``: "proved" (it is straight), "local" (shorter
+///     than lines near it), "family" (the points are conjugate: there may be many), "not".
+///
+/// Raises
+/// ------
+/// ShapeError, DomainError
+///     For other forms; for parameters outside the window, and a length or accuracy not above 0.
+/// DegenerateError
+///     When no line within the window is found.
+///
+/// Examples
+/// --------
+/// >>> slope = pf.Form([[(0, 0, 0), (0, 3, 4)], [(12, 0, 0), (12, 3, 4)]])
+/// >>> way = pf.geodesic_between(slope, (0, 0), (1, 1))
+/// >>> round(way.length, 9), way.minimality
+/// (13.0, 'proved')
+#[pyfunction]
+#[pyo3(
+    signature = (surface, p, q, *, longest=None, all=None, accuracy=None, seams=None),
+    text_signature = "(surface, p, q, *, longest=None, all=False, accuracy=1e-10, seams=True)"
+)]
+pub(crate) fn geodesic_between<'py>(
+    surface: Any<'_, 'py>,
+    p: Any<'_, 'py>,
+    q: Any<'_, 'py>,
+    longest: Option<Any<'_, 'py>>,
+    all: Option<Any<'_, 'py>>,
+    accuracy: Option<Any<'_, 'py>>,
+    seams: Option<Any<'_, 'py>>,
+) -> PyResult<Bound<'py, PyAny>> {
+    let py = surface.py();
+    let surface = shapes::read("surface", surface)?.into_spline();
+    let (p, q) = (pair("p", p)?, pair("q", q)?);
+    let longest = longest.map(|given| real("longest", given)).transpose()?;
+    let all = all.map_or(Ok(false), |given| truth("all", given))?;
+    let options = options(accuracy, seams)?;
+    let lines =
+        done(py, usize::MAX, || operators::geodesic_between(surface, p, q, longest, &options))?;
+    let mut lines = lines.into_iter().map(|line| connection(py, line));
+    if all {
+        return Ok(PyList::new(py, lines.collect::<PyResult<Vec<_>>>()?)?.into_any());
+    }
+    match lines.next() {
+        Some(line) => line,
+        None => named(py, (py.None(), 0.0, 0.0, "proved")),
+    }
+}
+
+fn connection(py: Python<'_>, line: Connection) -> PyResult<Bound<'_, PyAny>> {
+    let minimality = match line.minimality {
+        Minimality::Proved => "proved",
+        Minimality::Local => "local",
+        Minimality::Family => "family",
+        Minimality::Not => "not",
+    };
+    let length = line.geodesic.length;
+    named(py, (record(py, line.geodesic)?, length, line.gap, minimality))
+}
+
+/// A `pforms.records.Connection`.
+fn named<'py, A: pyo3::call::PyCallArgs<'py>>(
+    py: Python<'py>,
+    fields: A,
+) -> PyResult<Bound<'py, PyAny>> {
+    py.import(intern!(py, "pforms.records"))?.getattr(intern!(py, "Connection"))?.call1(fields)
 }
 
 fn pair(argument: &str, object: Any) -> PyResult<[f64; 2]> {

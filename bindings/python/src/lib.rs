@@ -73,7 +73,7 @@ mod _pforms {
     #[pymodule_export]
     use crate::form::PyForm;
     #[pymodule_export]
-    use crate::geodesics::geodesic;
+    use crate::geodesics::{geodesic, geodesic_between};
     #[pymodule_export]
     use crate::gestures::{bernstein, explain, midpoint, partition, pascal, stack};
     #[pymodule_export]

@@ -6,7 +6,7 @@ use std::f64::consts::PI;
 use pforms_kernel::Form;
 use pforms_operators::{
     Ending, Geodesic, GeodesicOptions, Heading, Minimality, Part, Shape, Spline, SplineProjector,
-    cone, cylinder, geodesics, scale, sphere, torus,
+    cone, cylinder, geodesic, geodesic_between, geodesics, scale, sphere, torus,
 };
 use serde_json::Value;
 
