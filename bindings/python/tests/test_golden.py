@@ -101,6 +101,12 @@ def straight(f, start, direction, length, *, part="curve", **more):
     return 0.0 if found is None else found
 
 
+def joining(f, p, q, *, part="curve", **more):
+    """A geodesic between two points as the cases ask for it."""
+    way = pf.geodesic_between(f, p.poles, q.poles, **more)
+    return way.geodesic.spline.net if part == "curve" else getattr(way, part)
+
+
 def unit_speed(f, *more, part="spline", accuracy=1e-9):
     """A curve at unit speed, one of its points, or a part of the report."""
     if f == "point":
@@ -243,6 +249,7 @@ CALLS = {
     ),
     "forecast": lambda inner, host: pf.forecast(inner, host),
     "geodesic": straight,
+    "geodesic_between": joining,
     "gordon": lambda us, vs, u=None, v=None, part="surface", **more: getattr(
         pf.gordon(us, vs, u, v, report=True, **more), part
     ),

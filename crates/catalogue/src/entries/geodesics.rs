@@ -1,7 +1,9 @@
 //! Straight lines on surfaces.
 
 use pforms_kernel::{Error, Form};
-use pforms_operators::{self as operators, Ending, Geodesic, GeodesicOptions, Heading};
+use pforms_operators::{
+    self as operators, Connection, Ending, Geodesic, GeodesicOptions, Heading, Minimality,
+};
 
 use super::{Outcome, PLAIN, part};
 use crate::operator::{Group, call};
@@ -44,6 +46,21 @@ const SEAMS: Parameter = Parameter::new(
     ),
 )
 .or(Fallback::Boolean(true));
+
+const WAYS: &[Words] = &[
+    words("curve", "courbe"),
+    words("parameters", "paramètres"),
+    words("length", "longueur"),
+    words("error", "erreur"),
+    words("gap", "écart"),
+    words("minimality", "minimalité"),
+    words("all", "toutes"),
+    words("lengths", "longueurs"),
+];
+
+const fn end(name: Words, help: Words) -> Parameter {
+    Parameter::new(Takes::Point, name, help)
+}
 
 pub(super) static ENTRIES: &[Operator] = &[Operator {
     name: "geodesic",
@@ -97,6 +114,49 @@ pub(super) static ENTRIES: &[Operator] = &[Operator {
     see: &["project", "segment", "curvature", "unroll"],
     call: call!(floating geodesic),
     ..INSIDE
+},
+Operator {
+    name: "geodesic_between",
+    english: &["GEODESICBETWEEN"],
+    french: &["GEODESIQUEENTRE"],
+    summary: words(
+        "The straight line of a surface from one of its points to another.",
+        "La ligne droite d'une surface d'un de ses points à un autre.",
+    ),
+    help: words(
+        "The shortest of the lines found in directions all around the first point. part = \"minimality\" says \
+         whether it is proved that none is shorter (\"proved\", where it is straight), that none near it is \
+         (\"local\"), or that the points are conjugate (\"family\"), as on opposite sides of a sphere; \"all\" \
+         gives every line found, \"lengths\" their lengths. 0 is the length between a point and itself.",
+        "La plus courte des lignes trouvées dans les directions tout autour du premier point. partie = \
+         \"minimalité\" dit s'il est prouvé qu'aucune n'est plus courte (\"proved\", où elle est droite), \
+         qu'aucune ne l'est auprès d'elle (\"local\"), ou que les points sont conjugués (\"family\"), comme \
+         de part et d'autre d'une sphère ; \"toutes\" donne chaque ligne trouvée, \"longueurs\" leurs \
+         longueurs. Entre un point et lui-même la longueur est 0.",
+    ),
+    parameters: &[
+        SURFACE,
+        end(words("p", "p"), words("Parameters (u, v) of the first.", "Les paramètres (u, v) du premier.")),
+        end(words("q", "q"), words("Parameters (u, v) of the other.", "Les paramètres (u, v) de l'autre.")),
+        part("curve", WAYS),
+        Parameter::new(
+            Takes::Number,
+            words("longest", "maximum"),
+            words("Lines up to this length are sought.", "Des lignes jusqu'à cette longueur sont cherchées."),
+        )
+        .range(0.0, f64::MAX)
+        .or_absent(
+            "one and a half times the segment between the parameters",
+            "une fois et demie le segment entre les paramètres",
+        ),
+        ACCURACY,
+        SEAMS,
+    ],
+    example: "=GEODESICBETWEEN([[(0, 0, 0), (0, 1, 0)], [(1, 0, 0), (1, 1, 1)]], (0, 1/4), (1, 1/2))",
+    source: "book 36; do Carmo 1976, sections 5.3 and 5.5",
+    see: &["geodesic", "segment"],
+    call: call!(floating geodesic_between),
+    ..INSIDE
 }];
 
 fn geodesic(a: &Bound<f64>) -> Outcome<f64> {
@@ -112,6 +172,65 @@ fn geodesic(a: &Bound<f64>) -> Outcome<f64> {
         found.push(wanted(line, part)?);
     }
     Ok(if listed { Value::list(found) } else { found.pop().unwrap_or(Value::Empty) })
+}
+
+fn geodesic_between(a: &Bound<f64>) -> Outcome<f64> {
+    let surface = a.shape(0)?.into_spline();
+    let [p, q] = [single(a, 1)?, single(a, 2)?];
+    let longest = if a.is_given(4) { Some(a.number(4)?) } else { None };
+    let options = GeodesicOptions { accuracy: a.number(5)?, seams: a.boolean(6)? };
+    let lines = operators::geodesic_between(surface, p, q, longest, &options)?;
+    let part = a.choice(3)?;
+    match part {
+        "all" => {
+            return Ok(Value::list(
+                lines.into_iter().map(|line| line.geodesic.spline.into()).collect(),
+            ));
+        }
+        "lengths" => {
+            return Ok(Value::list(
+                lines.iter().map(|line| Value::Number(line.geodesic.length)).collect(),
+            ));
+        }
+        _ => {}
+    }
+    let Some(Connection { geodesic, gap, minimality }) = lines.into_iter().next() else {
+        return same_point(part, a);
+    };
+    match part {
+        "gap" => Ok(Value::Number(gap)),
+        "minimality" => Ok(Value::Text(known(minimality).to_owned())),
+        _ => wanted(geodesic, part),
+    }
+}
+
+/// What there is to say of a point and itself.
+fn same_point(part: &str, a: &Bound<f64>) -> Outcome<f64> {
+    match part {
+        "length" | "error" | "gap" => Ok(Value::Number(0.0)),
+        "minimality" => Ok(Value::Text(known(Minimality::Proved).to_owned())),
+        _ => {
+            let received = a.value(2).said(crate::Language::English);
+            Err(Error::degenerate("q", received, "another point than p").into())
+        }
+    }
+}
+
+fn known(minimality: Minimality) -> &'static str {
+    match minimality {
+        Minimality::Proved => "proved",
+        Minimality::Local => "local",
+        Minimality::Family => "family",
+        Minimality::Not => "not",
+    }
+}
+
+/// The parameters of one point.
+fn single(a: &Bound<f64>, index: usize) -> Result<[f64; 2], Failure> {
+    match places(&a.point(index)?)?[..] {
+        [place] => Ok(place),
+        _ => Err(a.mistyped(index, &a.value(index))),
+    }
 }
 
 /// Pairs of parameters from the poles of a net.
