@@ -103,7 +103,7 @@ pub fn geodesic_between(
     if lines.is_empty() {
         return Err(Error::degenerate(
             "to",
-            format!("no geodesic within the window in {} directions", FINE),
+            format!("no geodesic within the window in {FINE} directions"),
             "points that one joins, or a longer `longest`",
         ));
     }
