@@ -35,12 +35,11 @@ pub use coons::{CoonsOptions, coons, coons_splines};
 pub use deform::{Rest, deform};
 pub use fit::{Fit, FitOptions, fit};
 pub use fit_parameters::Parameters;
-pub use geodesic::{Arrivals, Ending, Geodesic, GeodesicOptions, Heading, geodesic, geodesics};
-pub use golden::golden;
 pub use geodesic::{
     Arrivals, Connection, Ending, Geodesic, GeodesicOptions, Heading, Minimality, geodesic,
     geodesic_between, geodesics,
 };
+pub use golden::golden;
 pub use gordon::{Network, gordon, gordon_network};
 pub use immerse_spline::immerse_spline;
 pub use interpolate::{interpolate, interpolate_homogeneous};
