@@ -63,7 +63,7 @@ fn measured<'py>(
 /// --------
 /// >>> hypar = pf.Form([[(0, 0, 0), (0, 1, 0)], [(1, 0, 0), (1, 1, 1)]])
 /// >>> round(pf.area(hypar), 12)
-/// 1.280789277167
+/// 1.280789275273
 /// >>> abs(pf.area(pf.torus(3, 1)) / np.pi**2 - 12) < 1e-11
 /// True
 #[pyfunction]
@@ -119,7 +119,7 @@ pub(crate) fn area<'py>(
 /// True
 /// >>> pf.volume(pf.sphere(1, part="half"))  # doctest: +ELLIPSIS
 /// Traceback (most recent call last):
-/// pforms.errors.DegenerateError: patches: received an open border: ...
+/// pforms.DegenerateError: patches: received an open border: ...
 #[pyfunction]
 #[pyo3(
     signature = (*forms, signed=None, accuracy=None, report=None),

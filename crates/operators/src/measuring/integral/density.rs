@@ -49,7 +49,7 @@ impl Density {
     /// Where rounding would take too many digits, or if `exact`, the polynomials are computed once
     /// more in exact numbers.
     ///
-    /// Errors: `Shape` when the element needs other axes; `Limit`.
+    /// Errors: `Shape` when the element needs other axes; `Domain` where the weight vanishes; `Limit`.
     pub(super) fn new(
         local: &Local,
         place: usize,
@@ -58,6 +58,10 @@ impl Density {
         exact: bool,
     ) -> Result<Self> {
         let piece = &local.pieces[place];
+        let least = least_weight(piece)?;
+        if least <= 0.0 {
+            return Err(infinite());
+        }
         let minors = match element {
             Element::Flux => flux_minor(&guarded(piece)?)?,
             Element::Size | Element::Signed => {
@@ -88,14 +92,10 @@ impl Density {
             return one_component(density);
         }
         let limit = OMITTED * accuracy * density.mean();
-        let divisor = least_weight(piece)?.powi(power as i32);
-        if divisor > 0.0 {
-            density.flatten(limit * divisor, divisor)?;
-        }
+        let divisor = least.powi(power as i32);
+        density.flatten(limit * divisor, divisor)?;
         if density.numerators.ambient() > 1 {
-            if divisor > 0.0 {
-                density.deflate(limit * divisor, divisor)?;
-            }
+            density.deflate(limit * divisor, divisor)?;
             density.square = Some(square(&density.numerators)?);
         }
         Ok(density)

@@ -95,7 +95,7 @@ fn product(a: f64, b: f64) -> [f64; 2] {
 /// A lower bound of the weight over the window; 0 where it may vanish.
 pub(crate) fn least_weight(piece: &Form) -> Result<f64> {
     /// Halvings after which a weight counts as one that may vanish.
-    const HALVINGS: usize = 8;
+    const HALVINGS: usize = 24;
     let mut parts = vec![(piece.clone(), 0)];
     let mut least = f64::INFINITY;
     while let Some((part, depth)) = parts.pop() {
