@@ -136,6 +136,7 @@ from pforms.records import (
     Continuity,
     Crossings,
     Developability,
+    Feet,
     Fit,
     Folds,
     Frame,
@@ -143,6 +144,7 @@ from pforms.records import (
     Geodesic,
     Geodesics,
     Intersection,
+    Inversion,
     Joined,
     Length,
     Measure,
@@ -175,6 +177,7 @@ elevate = either(Form.elevate, Spline.elevate)
 evaluate = either(Form.evaluate, Spline.evaluate)
 frame = either(Form.frame, Spline.frame)
 hodograph = either(Form.hodograph, Spline.hodograph)
+invert = either(Form.invert, Spline.invert)
 normal_form = either(Form.normal_form, Spline.normal_form)
 normals = either(Form.normals, Spline.normals)
 project = either(Form.project, Spline.project)
@@ -206,6 +209,7 @@ __all__ = [
     "Developability",
     "DomainError",
     "Embedding",
+    "Feet",
     "Fit",
     "Folds",
     "Form",
@@ -216,6 +220,7 @@ __all__ = [
     "Immersed",
     "Inertia",
     "Intersection",
+    "Inversion",
     "Joined",
     "Length",
     "LimitError",
@@ -300,6 +305,7 @@ __all__ = [
     "interpolating_spline",
     "intersect",
     "intersect_many",
+    "invert",
     "is_developable",
     "is_injective",
     "jacobian",

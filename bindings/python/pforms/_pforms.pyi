@@ -14,6 +14,7 @@ from pforms.records import (
     Continuity,
     Crossings,
     Developability,
+    Feet,
     Fit,
     Folds,
     Frame,
@@ -21,6 +22,7 @@ from pforms.records import (
     Geodesic,
     Geodesics,
     Intersection,
+    Inversion,
     Joined,
     Length,
     Measure,
@@ -245,6 +247,11 @@ class Form:
     def deform(self, cage: Form, *, rest: Form | Spline | ArrayLike | None = None) -> Form: ...
     @overload
     def deform(self, cage: Spline, *, rest: Form | Spline | ArrayLike | None = None) -> Spline: ...
+    def invert(self, points: ArrayLike, *, accuracy: float = 1e-12) -> Inversion: ...
+    def project(
+        self, points: ArrayLike, *, accuracy: float = 1e-12, all: Literal[False] = False
+    ) -> Projection: ...
+    def project(self, points: ArrayLike, *, accuracy: float = 1e-12, all: Literal[True]) -> Feet: ...
     def intersect(
         self, other: Form | Spline | ArrayLike, *, accuracy: float = 1e-14
     ) -> Intersection: ...
@@ -577,6 +584,13 @@ class Spline:
     def deform(
         self, cage: Form | Spline, *, rest: Form | Spline | ArrayLike | None = None
     ) -> Spline: ...
+    def invert(self, points: ArrayLike, *, accuracy: float = 1e-12) -> Inversion: ...
+    @overload
+    def project(
+        self, points: ArrayLike, *, accuracy: float = 1e-12, all: Literal[False] = False
+    ) -> Projection: ...
+    @overload
+    def project(self, points: ArrayLike, *, accuracy: float = 1e-12, all: Literal[True]) -> Feet: ...
     def intersect(
         self, other: Form | Spline | ArrayLike, *, accuracy: float = 1e-14
     ) -> Intersection: ...

@@ -354,6 +354,69 @@ class Projection(NamedTuple):
     """Is it proved that only these parameters give the nearest point?"""
 
 
+class Feet(NamedTuple):
+    """All feet of points on a form: places from which no way leads nearer at first order.
+
+    >>> import pforms as pf
+    >>> feet = pf.project(pf.Form([(-1, 1), (0, -1), (1, 1)]), [(0, 0.75), (5, 1)], all=True)
+    >>> feet.kinds, feet.starts
+    (('minimum', 'maximum', 'minimum', 'minimum'), array([0, 3, 4]))
+    >>> bool(feet.complete.all())
+    True
+    """
+
+    parameters: NDArray[float64]
+    """Those of all feet, point after point: shape (k, axes)."""
+    points: NDArray[float64]
+    """The feet: shape (k, c)."""
+    distances: NDArray[float64]
+    """From the points to the feet: shape (k,)."""
+    kinds: tuple[str, ...]
+    """How the distance changes around each: ``minimum``, ``maximum``, ``saddle`` or ``flat``."""
+    errors: NDArray[float64]
+    """By how much the parameters may be off, at most, where they are proved."""
+    proved: NDArray[bool_]
+    """Is it proved that there is a foot within the error, and no other?"""
+    starts: NDArray[int64]
+    """The feet of point i are those from ``starts[i]`` to ``starts[i + 1]``: shape (n + 1,)."""
+    complete: NDArray[bool_]
+    """For each point: are these surely all?"""
+    doubts: NDArray[float64]
+    """Boxes of parameters where that is not decided, lower and upper corners: shape (j, 2, axes)."""
+    doubtful: NDArray[int64]
+    """The point of each box: shape (j,)."""
+
+
+class Inversion(NamedTuple):
+    """All parameters at which a form goes through points.
+
+    >>> import pforms as pf
+    >>> back = pf.Form([(0, 0), (1, 1), (0, 0)])  # to (1/2, 1/2) and back
+    >>> found = pf.invert(back, [(0.375, 0.375), (1, 1)])
+    >>> found.parameters.T, found.starts, found.inside
+    (array([[0.25, 0.75]]), array([0, 2, 2]), array([ True, False]))
+    """
+
+    parameters: NDArray[float64]
+    """Those of all places, point after point: shape (k, axes)."""
+    distances: NDArray[float64]
+    """How far the form is from the point there: shape (k,)."""
+    errors: NDArray[float64]
+    """By how much the parameters may be off, at most, where they are proved."""
+    proved: NDArray[bool_]
+    """Is it proved that there is no other place within the error?"""
+    starts: NDArray[int64]
+    """The places of point i are those from ``starts[i]`` to ``starts[i + 1]``: shape (n + 1,)."""
+    inside: NDArray[bool_]
+    """For each point: does the form go through it?"""
+    complete: NDArray[bool_]
+    """For each point: are these surely all?"""
+    doubts: NDArray[float64]
+    """Boxes of parameters where that is not decided, lower and upper corners: shape (j, 2, axes)."""
+    doubtful: NDArray[int64]
+    """The point of each box: shape (j,)."""
+
+
 class Intersection(NamedTuple):
     """Where two forms meet, and whether that is all.
 

@@ -31,8 +31,6 @@ mod shell;
 mod spline_forms;
 mod spline_frames;
 mod surface_frame;
-// Not all of it is called yet.
-#[allow(dead_code, unused_imports)]
 pub(crate) mod system;
 mod tangent_form;
 pub(crate) mod vector;

@@ -1,6 +1,6 @@
 //! Parameters of points, and nearest points, against those that other libraries find.
 
-use pforms_operators::{Inverter, Shape, Spline, SplineProjector};
+use pforms_operators::{ContactKind, Inverter, Shape, Spline, SplineProjector, intersect};
 use pforms_testkit::models::{document, plain};
 use pforms_testkit::numbers;
 use serde_json::Value;
@@ -79,5 +79,24 @@ fn a_hundred_points_of_a_wild_surface() {
         let near = |s: &&pforms_operators::Preimage| gap(&s.parameters, &expected) <= tolerance;
         assert!(found.solutions.iter().filter(near).count() == 1, "{expected:?}: {found:?}");
         assert!(found.complete(), "{expected:?}: {found:?}");
+    }
+}
+
+#[test]
+fn curves_pierce_surfaces() {
+    let (cases, forms) = cases("curve_surface", 4);
+    for case in &cases {
+        let of = |name: &str| Shape::Spline(forms[number(&case["input"][name])].clone());
+        let found = intersect(&of("curve"), &of("surface"), 1e-14).unwrap();
+        assert!(found.complete, "{case}: {found:?}");
+        let expected = case["expected"]["intersections"].as_array().unwrap();
+        assert_eq!(found.contacts.len(), expected.len(), "{case}: {found:?}");
+        let tolerance = case["tolerance"].as_f64().unwrap();
+        for (contact, place) in found.contacts.iter().zip(expected) {
+            assert!(contact.proved && contact.kind == ContactKind::Crossing);
+            assert!((contact.first[0] - place["u"].as_f64().unwrap()).abs() <= tolerance);
+            assert!(gap(&contact.second, &numbers(&place["uv"])) <= tolerance, "{case}");
+            assert!(gap(&contact.point, &numbers(&place["point"])) <= tolerance, "{case}");
+        }
     }
 }

@@ -116,7 +116,7 @@ impl Inverter {
         let patches = patches(&scaled)?;
         let reach = accuracy * size(&patches);
         let defaults = Limits::default();
-        let border = defaults.border.max((BORDER * accuracy).min(1e-3));
+        let border = defaults.border.max((BORDER * accuracy).min(1e-6));
         let most = MOST_WORK / net.width();
         Ok(Self {
             patches,

@@ -25,7 +25,7 @@ use rows::Rows;
 use search::Search;
 pub use spline::SplineProjector;
 use target::Target;
-pub(super) use weight::positive_weights;
+pub(super) use weight::{Weights, positive_weights};
 
 /// The nearest points of a form to some points, and how sure that is.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -2,6 +2,9 @@
 
 use super::{Each, Equations, MOST_UNKNOWNS};
 
+/// Where a side is cut.
+const CUT: f64 = 15.0 / 32.0;
+
 /// A box of parameters, and the equations in Bernstein form over it.
 #[derive(Clone, Debug)]
 pub(super) struct Cell {
@@ -10,12 +13,17 @@ pub(super) struct Cell {
     pub values: Vec<f64>,
     /// No coefficient of an equation is wrong by more.
     pub noise: Vec<f64>,
+    /// The noise, and what an equation may change between the cell and where the window is looked at
+    /// beyond its border.
+    pub slack: Vec<f64>,
+    /// How far beyond its lower and its upper ends the cell reaches: those on the window's border.
+    beyond: [Each; 2],
     axes: usize,
     orders: [usize; MOST_UNKNOWNS],
 }
 
 impl Cell {
-    /// The window and a little more.
+    /// The window, with so much more beyond its border.
     pub(super) fn whole(equations: &Equations, border: f64) -> Self {
         let axes = equations.axes();
         let mut orders = [1; MOST_UNKNOWNS];
@@ -25,18 +33,18 @@ impl Cell {
             upper: [1.0; MOST_UNKNOWNS],
             values: equations.coefficients().to_vec(),
             noise: equations.noise().to_vec(),
+            slack: equations.noise().to_vec(),
+            beyond: [[border; MOST_UNKNOWNS]; 2],
             axes,
             orders,
         };
-        for axis in 0..axes {
-            cell.restrict(axis, -border, 1.0 + border);
-        }
+        cell.note_border();
         cell
     }
 
     /// Does an equation keep one sign over the cell, by more than its noise and tolerance?
     pub(super) fn is_free(&self, equations: &Equations) -> bool {
-        let slack = self.noise.iter().zip(equations.tolerance()).map(|(a, b)| a + b);
+        let slack = self.slack.iter().zip(equations.tolerance()).map(|(a, b)| a + b);
         self.each().zip(slack).any(|(values, slack)| {
             let (low, high) = range(values);
             low > slack || high < -slack
@@ -56,6 +64,30 @@ impl Cell {
         self.upper[axis] - self.lower[axis]
     }
 
+    /// How far it reaches beyond the ends of a side, in units of the side.
+    pub(super) fn reach(&self, axis: usize) -> [f64; 2] {
+        self.beyond.map(|end| end[axis] / self.side(axis))
+    }
+
+    /// Bounds of the equations beyond the border, from their slopes.
+    fn note_border(&mut self) {
+        self.slack.clone_from(&self.noise);
+        let count = self.values.len() / self.noise.len();
+        for axis in 0..self.axes {
+            let [low, high] = self.reach(axis);
+            let reach = low.max(high);
+            if reach == 0.0 {
+                continue;
+            }
+            let degree = (self.orders[axis] - 1) as f64;
+            for (slack, values) in self.slack.iter_mut().zip(self.values.chunks_exact(count)) {
+                let step = largest_step(values, &self.orders[..self.axes], axis);
+                // Slopes grow by less than this, so little beyond the border.
+                *slack += 1.5 * reach * degree * step;
+            }
+        }
+    }
+
     /// Its corners.
     pub(super) fn bounds(&self) -> (Vec<f64>, Vec<f64>) {
         let inside =
@@ -65,7 +97,8 @@ impl Cell {
 
     /// Narrows one side to a part of it, in units of the side.
     pub(super) fn restrict(&mut self, axis: usize, from: f64, to: f64) {
-        self.note_rounding(axis);
+        let passes = f64::from(u8::from(from != 0.0)) + f64::from(u8::from(to != 1.0));
+        self.note_rounding(axis, 1.5 * passes);
         let low = if to == 1.0 { from } else { from / to };
         self.lines(axis, |line, order, inner| {
             if to != 1.0 {
@@ -78,22 +111,32 @@ impl Cell {
         let (start, side) = (self.lower[axis], self.side(axis));
         self.lower[axis] = start + from * side;
         self.upper[axis] = start + to * side;
+        for (end, inner) in self.beyond.iter_mut().zip([from != 0.0, to != 1.0]) {
+            if inner {
+                end[axis] = 0.0;
+            }
+        }
+        self.note_border();
     }
 
-    /// The two halves along an axis.
-    pub(super) fn halves(mut self, axis: usize) -> (Self, Self) {
-        self.note_rounding(axis);
+    /// Two parts along an axis, not quite halves: what is symmetric has solutions in the middle, and
+    /// those on the border of a cell are the hardest to prove.
+    pub(super) fn parts(mut self, axis: usize) -> (Self, Self) {
+        self.note_rounding(axis, 1.5);
         let mut high = self.clone();
-        let middle = f64::midpoint(self.lower[axis], self.upper[axis]);
+        (self.beyond[1][axis], high.beyond[0][axis]) = (0.0, 0.0);
+        let middle = self.lower[axis] + CUT * self.side(axis);
         (self.upper[axis], high.lower[axis]) = (middle, middle);
-        self.lines(axis, |line, order, inner| keep_left(line, order, inner, 0.5));
-        high.lines(axis, |line, order, inner| keep_right(line, order, inner, 0.5));
+        self.lines(axis, |line, order, inner| keep_left(line, order, inner, CUT));
+        high.lines(axis, |line, order, inner| keep_right(line, order, inner, CUT));
+        self.note_border();
+        high.note_border();
         (self, high)
     }
 
-    /// Two passes of as many means as the degree, each with roundings of what it averages.
-    fn note_rounding(&mut self, axis: usize) {
-        let factor = 4.0 * f64::EPSILON * (self.orders[axis] - 1) as f64;
+    /// As many means as the degree, each with so many roundings of what it averages.
+    fn note_rounding(&mut self, axis: usize, each: f64) {
+        let factor = each * f64::EPSILON * (self.orders[axis] - 1) as f64;
         let count = self.values.len() / self.noise.len();
         for (noise, values) in self.noise.iter_mut().zip(self.values.chunks_exact(count)) {
             let (low, high) = range(values);
@@ -116,6 +159,19 @@ pub(super) fn range(values: &[f64]) -> (f64, f64) {
     values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| {
         (if *x < low { *x } else { low }, if *x > high { *x } else { high })
     })
+}
+
+/// The largest difference of coefficients that follow one another along an axis.
+pub(super) fn largest_step(values: &[f64], orders: &[usize], axis: usize) -> f64 {
+    let inner: usize = orders[axis + 1..].iter().product();
+    let mut most = 0.0_f64;
+    for block in values.chunks_exact(inner * orders[axis]) {
+        for (a, b) in block.iter().zip(&block[inner..]) {
+            let step = (b - a).abs();
+            most = if step <= most { most } else { step };
+        }
+    }
+    most
 }
 
 /// De Casteljau: the part from 0 to `t`.

@@ -1,6 +1,6 @@
 //! The equations of a cell, combined so that each is nearly one unknown and a constant.
 
-use super::cell::{Cell, range};
+use super::cell::{Cell, largest_step, range};
 use super::linear::left_inverse;
 use super::{Each, Equations, MOST_UNKNOWNS};
 
@@ -17,6 +17,8 @@ pub(super) struct Combined {
     noise: Each,
     /// Largest coefficient of each `G_k`.
     size: Each,
+    /// How far beyond its ends the cell is taken to reach, along each axis.
+    reach: [[f64; 2]; MOST_UNKNOWNS],
     /// Does some `G_k` keep one sign?
     free: bool,
 }
@@ -41,6 +43,7 @@ impl Combined {
             rest: vec![0.0; equations.count() * equations.axes()],
             noise: [0.0; MOST_UNKNOWNS],
             size: [0.0; MOST_UNKNOWNS],
+            reach: [[0.0; 2]; MOST_UNKNOWNS],
             free: false,
         }
     }
@@ -52,6 +55,9 @@ impl Combined {
         let number = equations.number();
         let tolerance = equations.tolerance();
         self.free = false;
+        for (axis, reach) in self.reach.iter_mut().enumerate().take(self.axes) {
+            *reach = cell.reach(axis);
+        }
         for k in 0..self.axes {
             let row = &self.matrix[k * number..(k + 1) * number];
             let rest = &mut self.rest[k * self.count..(k + 1) * self.count];
@@ -62,7 +68,7 @@ impl Combined {
                     *sum += factor * x;
                 }
                 let (low, high) = range(values);
-                noise += factor.abs() * (cell.noise[i] + tolerance[i]);
+                noise += factor.abs() * (cell.slack[i] + tolerance[i]);
                 terms += factor.abs() * high.max(-low);
             }
             // Rounding of the sums, and of what is subtracted below.
@@ -103,12 +109,12 @@ impl Combined {
         for (k, rest) in self.rest.chunks_exact(self.count).enumerate() {
             let (low, high) = range(rest);
             let (from, to) = (-high - self.noise[k], -low + self.noise[k]);
-            if from > 1.0 || to < 0.0 {
+            if from > 1.0 + self.reach[k][1] || to < -self.reach[k][0] {
                 return None;
             }
             // A comparison with what is not a number is false, and leaves the cell as it is.
-            let from = if from > 0.0 { from } else { 0.0 };
-            let to = if to < 1.0 { to } else { 1.0 };
+            let from = if from > 0.0 { from.min(1.0) } else { 0.0 };
+            let to = if to < 1.0 { to.max(0.0) } else { 1.0 };
             // Not so narrow that a solution on its border would leave no room for a proof.
             let slack = (0.5 * (LEAST - (to - from))).max(8.0 * f64::EPSILON);
             let (from, to) = ((from - slack).max(0.0), (to + slack).min(1.0));
@@ -167,17 +173,4 @@ fn subtract_unknown(rest: &mut [f64], orders: &[usize], axis: usize) {
             }
         }
     }
-}
-
-/// The largest difference of coefficients that follow one another along an axis.
-pub(super) fn largest_step(values: &[f64], orders: &[usize], axis: usize) -> f64 {
-    let inner: usize = orders[axis + 1..].iter().product();
-    let mut most = 0.0_f64;
-    for block in values.chunks_exact(inner * orders[axis]) {
-        for (a, b) in block.iter().zip(&block[inner..]) {
-            let step = (b - a).abs();
-            most = if step <= most { most } else { step };
-        }
-    }
-    most
 }

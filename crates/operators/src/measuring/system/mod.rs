@@ -64,8 +64,6 @@ pub(crate) struct Root {
     /// As many equations as unknowns: the solution exists. With more of them it is the only point
     /// nearby that can be one, and solves them to within noise and tolerance.
     pub radius: f64,
-    /// The largest absolute value of an equation there, in the units in which they were given.
-    pub residual: f64,
 }
 
 /// A box in which it is undecided whether there are solutions, and how many.
@@ -75,7 +73,7 @@ pub(crate) struct Cluster {
     pub upper: Vec<f64>,
     /// The place in it where the equations are least, as far as descent finds it.
     pub parameters: Vec<f64>,
-    /// As [`Root::residual`].
+    /// The largest absolute value of an equation there, in the units in which they were given.
     pub residual: f64,
     /// Was it left because the work was at an end? More of it would part this box; otherwise
     /// it is as fine as rounding (or the finest cell) allows.
@@ -101,13 +99,6 @@ pub(crate) struct Solutions {
     pub clusters: Vec<Cluster>,
     /// Cells looked at.
     pub work: usize,
-}
-
-impl Solutions {
-    /// Are the roots all solutions, each of them single?
-    pub(crate) fn certain(&self) -> bool {
-        self.clusters.is_empty()
-    }
 }
 
 /// All solutions of the equations in the unit box, which is closed.
@@ -196,7 +187,7 @@ impl Scratch {
             let sides: Vec<usize> = (0..equations.axes()).filter(|axis| narrows(*axis)).collect();
             if sides.is_empty() || *work >= limits.most {
                 let axis = combined.axis_to_cut(&cell);
-                let (low, high) = cell.halves(axis);
+                let (low, high) = cell.parts(axis);
                 return Verdict::Parts(low, high);
             }
             for axis in sides {

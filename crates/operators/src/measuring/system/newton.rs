@@ -1,7 +1,7 @@
 //! The one solution that a cell can hold: found, and proved.
 
-use super::cell::Cell;
-use super::combined::{Combined, MARGIN, largest_step};
+use super::cell::{Cell, largest_step};
+use super::combined::{Combined, MARGIN};
 use super::linear::left_inverse;
 use super::{Each, Equations, MOST_UNKNOWNS, Root};
 
@@ -58,8 +58,11 @@ pub(super) fn prove(equations: &Equations, cell: &Cell, combined: &Combined, bor
     if !(0..axes).all(within) {
         return Proof::Open;
     }
-    // Corners are known to a few roundings of the window.
-    let slack = |k: usize| radius + 64.0 * f64::EPSILON / cell.side(k);
+    // Corners are known to a few roundings of the window, and its border is not a hard one.
+    let slack = |k: usize| {
+        let [low, high] = cell.reach(k);
+        radius + 64.0 * f64::EPSILON / cell.side(k) + low.max(high)
+    };
     if (0..axes).any(|k| outside(k) > slack(k)) {
         return Proof::None;
     }
@@ -76,15 +79,10 @@ fn finished(equations: &Equations, cell: &Cell, at: &Each, radius: f64, border: 
     }
     let mut inside = *at;
     inside[..axes].iter_mut().for_each(|t| *t = onto_border(*t));
-    let (values, _) = equations.jet(&inside);
     if equations.number() > axes && !solves(equations, cell, &equations.jet(at).0, radius) {
         return Proof::None;
     }
-    Proof::Root(Root {
-        parameters: inside[..axes].to_vec(),
-        radius: widest,
-        residual: equations.residual(&values),
-    })
+    Proof::Root(Root { parameters: inside[..axes].to_vec(), radius: widest })
 }
 
 /// A parameter that is a rounding or two from an end of the window is that end.
