@@ -2,6 +2,7 @@
 
 import json
 from fractions import Fraction
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -29,9 +30,33 @@ def lit(f, normal, **more):
     return pf.project_to_plane(f, normal, **more)
 
 
+def listed(found, net, names, part):
+    """The record of a formula: lists of each point where the fields of a record have one row."""
+    ends = list(pairwise(found.starts.tolist()))
+    record = {}
+    for name in names:
+        field = getattr(found, name)
+        if name == "complete":
+            each = np.ravel(field).tolist()
+        elif name == "doubts":
+            each = [field[found.doubtful == i].tolist() for i in range(len(ends))]
+        else:
+            each = [np.asarray(field)[a:b].tolist() for a, b in ends]
+        record[name] = each if net.axes else each[0]
+    return record[part] if part else record
+
+
+def inverted(host, net, part=None, **more):
+    names = ("parameters", "distances", "errors", "proved", "complete", "doubts")
+    return listed(pf.invert(host, net.poles, **more), net, names, part)
+
+
 def projected(f, net, part=None, **more):
     """The record of a formula: its points are the poles of a net."""
     found = pf.project(f, net.poles, **more)
+    if more.get("all"):
+        names = ("parameters", "distances", "kinds", "errors", "proved", "complete", "doubts")
+        return listed(found, net, names, part)
     names = ("parameters", "point", "distance", "gap", "unique")
     record = dict(zip(names, found, strict=True))
     return record[part] if part else record
@@ -291,6 +316,7 @@ CALLS = {
     "hodograph": lambda f, axis: f.hodograph(axis),
     "immerse": pf.immerse,
     "interpolate": pf.interpolate,
+    "invert": inverted,
     "midpoint": pf.midpoint,
     "partition": pf.partition,
     "pascal": pf.pascal,

@@ -122,7 +122,7 @@ impl Cell {
     /// Two parts along an axis, not quite halves: what is symmetric has solutions in the middle, and
     /// those on the border of a cell are the hardest to prove.
     pub(super) fn parts(mut self, axis: usize) -> (Self, Self) {
-        self.note_rounding(axis, 1.5);
+        self.note_rounding(axis, 1.0);
         let mut high = self.clone();
         (self.beyond[1][axis], high.beyond[0][axis]) = (0.0, 0.0);
         let middle = self.lower[axis] + CUT * self.side(axis);

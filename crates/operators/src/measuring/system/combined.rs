@@ -15,6 +15,8 @@ pub(super) struct Combined {
     rest: Vec<f64>,
     /// Noise of the coefficients of each `G_k`, tolerances included.
     noise: Each,
+    /// The same, and what changes beyond the border of the window.
+    slack: Each,
     /// Largest coefficient of each `G_k`.
     size: Each,
     /// How far beyond its ends the cell is taken to reach, along each axis.
@@ -42,6 +44,7 @@ impl Combined {
             matrix: Vec::new(),
             rest: vec![0.0; equations.count() * equations.axes()],
             noise: [0.0; MOST_UNKNOWNS],
+            slack: [0.0; MOST_UNKNOWNS],
             size: [0.0; MOST_UNKNOWNS],
             reach: [[0.0; 2]; MOST_UNKNOWNS],
             free: false,
@@ -62,20 +65,22 @@ impl Combined {
             let row = &self.matrix[k * number..(k + 1) * number];
             let rest = &mut self.rest[k * self.count..(k + 1) * self.count];
             rest.fill(0.0);
-            let (mut noise, mut terms) = (0.0, 0.0);
+            let (mut noise, mut border, mut terms) = (0.0, 0.0, 0.0);
             for (i, (factor, values)) in row.iter().zip(cell.each()).enumerate() {
                 for (sum, x) in rest.iter_mut().zip(values) {
                     *sum += factor * x;
                 }
                 let (low, high) = range(values);
-                noise += factor.abs() * (cell.slack[i] + tolerance[i]);
+                noise += factor.abs() * (cell.noise[i] + tolerance[i]);
+                border += factor.abs() * (cell.slack[i] - cell.noise[i]);
                 terms += factor.abs() * high.max(-low);
             }
             // Rounding of the sums, and of what is subtracted below.
             noise += f64::EPSILON * (number as f64 * terms + 2.0);
             let (low, high) = range(rest);
-            self.free |= low > noise || high < -noise;
-            self.noise[k] = noise;
+            let slack = noise + border;
+            self.free |= low > slack || high < -slack;
+            (self.noise[k], self.slack[k]) = (noise, slack);
             self.size[k] = high.max(-low);
             subtract_unknown(rest, &self.orders, k);
         }
@@ -108,7 +113,7 @@ impl Combined {
         let mut within = [(0.0, 1.0); MOST_UNKNOWNS];
         for (k, rest) in self.rest.chunks_exact(self.count).enumerate() {
             let (low, high) = range(rest);
-            let (from, to) = (-high - self.noise[k], -low + self.noise[k]);
+            let (from, to) = (-high - self.slack[k], -low + self.slack[k]);
             if from > 1.0 + self.reach[k][1] || to < -self.reach[k][0] {
                 return None;
             }

@@ -78,15 +78,11 @@ impl Equations {
         let ambient = a.ambient();
         let orders = [a.orders(), b.orders()].concat();
         limit::check::<f64>("the equations", &orders, ambient)?;
-        let poles = |form: &'_ Form| {
-            form.homogeneous().chunks_exact(ambient + 1).map(<[f64]>::to_vec).collect::<Vec<_>>()
-        };
-        let (first, second) = (poles(a), poles(b));
         let difference = |k: usize| {
             let mut noise = 0.0_f64;
-            let mut coefficients = Vec::with_capacity(first.len() * second.len());
-            for p in &first {
-                for q in &second {
+            let mut coefficients = Vec::with_capacity(a.pole_count() * b.pole_count());
+            for p in a.homogeneous().chunks_exact(ambient + 1) {
+                for q in b.homogeneous().chunks_exact(ambient + 1) {
                     let (left, right) = (p[k] * q[ambient], q[k] * p[ambient]);
                     // A product with 1 is exact.
                     let of_products = if q[ambient] == 1.0 { 0.0 } else { left.abs() }
