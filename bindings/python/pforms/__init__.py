@@ -116,7 +116,7 @@ from pforms._pforms import (
     volume,
     waving_pipe,
 )
-from pforms.either import either, of_forms
+from pforms.either import either, of_forms, projecting
 from pforms.errors import (
     AccuracyError,
     ArgumentError,
@@ -180,7 +180,7 @@ hodograph = either(Form.hodograph, Spline.hodograph)
 invert = either(Form.invert, Spline.invert)
 normal_form = either(Form.normal_form, Spline.normal_form)
 normals = either(Form.normals, Spline.normals)
-project = either(Form.project, Spline.project)
+project = projecting(Form.project, Spline.project)
 reduce = of_forms(Form.reduce)
 reparametrise = of_forms(Form.reparametrise)
 reverse = either(Form.reverse, Spline.reverse)
@@ -194,7 +194,7 @@ unstack = of_forms(Form.unstack)
 whole_line = of_forms(Form.whole_line)
 with_pole = either(Form.with_pole, Spline.with_pole)
 
-del either, of_forms
+del either, of_forms, projecting
 
 __all__ = [
     "AccuracyError",

@@ -3,13 +3,27 @@
 from __future__ import annotations
 
 from functools import wraps
-from typing import TYPE_CHECKING, Any, Concatenate, ParamSpec, Protocol, TypeVar, overload
+from typing import (
+    TYPE_CHECKING,
+    Any,
+    Concatenate,
+    Literal,
+    ParamSpec,
+    Protocol,
+    TypeVar,
+    cast,
+    overload,
+)
 
 from pforms._pforms import Form, Spline
 from pforms.errors import ArgumentError
 
 if TYPE_CHECKING:
     from collections.abc import Callable
+
+    from numpy.typing import ArrayLike
+
+    from pforms.records import Feet, Projection
 
 _P = ParamSpec("_P")
 _OfForm = TypeVar("_OfForm", covariant=True)
@@ -23,6 +37,31 @@ class Either(Protocol[_P, _OfForm, _OfSpline]):
     def __call__(self, form: Form, /, *args: _P.args, **kwargs: _P.kwargs) -> _OfForm: ...
     @overload
     def __call__(self, form: Spline, /, *args: _P.args, **kwargs: _P.kwargs) -> _OfSpline: ...
+
+
+class Projecting(Protocol):
+    """The nearest points of a form or of a spline, or all feet."""
+
+    @overload
+    def __call__(
+        self,
+        form: Form | Spline,
+        /,
+        points: ArrayLike,
+        *,
+        accuracy: float = 1e-12,
+        all: Literal[False] = False,
+    ) -> Projection: ...
+    @overload
+    def __call__(
+        self,
+        form: Form | Spline,
+        /,
+        points: ArrayLike,
+        *,
+        accuracy: float = 1e-12,
+        all: Literal[True],
+    ) -> Feet: ...
 
 
 def either(
@@ -45,6 +84,16 @@ def either(
         raise _mistyped(form, "a pforms.Form or a pforms.Spline")
 
     return _of_the_package(operator)
+
+
+def projecting(of_form: Callable[..., Any], of_spline: Callable[..., Any]) -> Projecting:
+    """The same, of methods whose answer depends on ``all``.
+
+    >>> import pforms as pf
+    >>> pf.project(pf.Form([(0, 0), (4, 0)]), (1, 3), all=True).kinds
+    ('minimum',)
+    """
+    return cast("Projecting", either(of_form, of_spline))
 
 
 def of_forms(

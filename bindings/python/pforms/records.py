@@ -382,7 +382,7 @@ class Feet(NamedTuple):
     complete: NDArray[bool_]
     """For each point: are these surely all?"""
     doubts: NDArray[float64]
-    """Boxes of parameters where that is not decided, lower and upper corners: shape (j, 2, axes)."""
+    """Boxes of parameters where that is not decided, by two corners: shape (j, 2, axes)."""
     doubtful: NDArray[int64]
     """The point of each box: shape (j,)."""
 
@@ -412,7 +412,7 @@ class Inversion(NamedTuple):
     complete: NDArray[bool_]
     """For each point: are these surely all?"""
     doubts: NDArray[float64]
-    """Boxes of parameters where that is not decided, lower and upper corners: shape (j, 2, axes)."""
+    """Boxes of parameters where that is not decided, by two corners: shape (j, 2, axes)."""
     doubtful: NDArray[int64]
     """The point of each box: shape (j,)."""
 

@@ -7,7 +7,7 @@ import pforms as pf
 
 
 @pytest.fixture
-def volume(make):
+def volume():
     return pf.Form(
         np.stack(np.meshgrid(*[np.linspace(0, 1, n) for n in (3, 4, 2)], indexing="ij"), -1)
         + np.random.default_rng(5).normal(size=(3, 4, 2, 3)) * 0.03
