@@ -115,10 +115,10 @@ impl PyForm {
     ///
     /// Examples
     /// --------
-    /// >>> patch = pf.Form([[(0, 0), (0, 1)], [(1, 0), (2, 2)]])
-    /// >>> found = patch.invert([(1, 0.75), (3, 0)])
+    /// >>> patch = pf.Form([[(0, 0), (0, 2)], [(4, 0), (4, 2)]])
+    /// >>> found = patch.invert([(1, 1), (5, 0)])
     /// >>> found.parameters, found.inside
-    /// (array([[0.72..., 0.57...]]), array([ True, False]))
+    /// (array([[0.25, 0.5 ]]), array([ True, False]))
     /// >>> found.complete.all()
     /// np.True_
     #[pyo3(signature = (points, *, accuracy=None), text_signature = "($self, points, *, accuracy=1e-12)")]
