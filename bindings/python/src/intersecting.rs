@@ -284,6 +284,9 @@ macro_rules! methods {
                                                 signature = (other, *, accuracy=None),
                                                 text_signature = "($self, other, *, accuracy=1e-14)"
                                             )]
+                                        signature = (other, *, accuracy=None),
+                                        text_signature = "($self, other, *, accuracy=1e-14)"
+                                    )]
             fn intersect<'py>(
                 slf: &Bound<'py, Self>,
                 other: &Bound<'py, PyAny>,
