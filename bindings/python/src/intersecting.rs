@@ -280,13 +280,6 @@ macro_rules! methods {
             /// array([[1., 1.]])
             #[pyo3(signature = (other, *, accuracy=None))]
             #[pyo3(text_signature = "($self, other, *, accuracy=1e-14)")]
-            #[pyo3(
-                                                signature = (other, *, accuracy=None),
-                                                text_signature = "($self, other, *, accuracy=1e-14)"
-                                            )]
-                                        signature = (other, *, accuracy=None),
-                                        text_signature = "($self, other, *, accuracy=1e-14)"
-                                    )]
             fn intersect<'py>(
                 slf: &Bound<'py, Self>,
                 other: &Bound<'py, PyAny>,

@@ -39,7 +39,6 @@ pub use geodesic::{
     Arrivals, Connection, Ending, Geodesic, GeodesicOptions, Heading, Minimality, geodesic,
     geodesic_between, geodesics,
 };
-pub use geodesic::{Arrivals, Ending, Geodesic, GeodesicOptions, Heading, geodesic, geodesics};
 pub use golden::golden;
 pub use gordon::{Network, gordon, gordon_network};
 pub use immerse_spline::immerse_spline;
