@@ -23,6 +23,7 @@ mod harmony;
 mod immersed;
 mod inside;
 mod intersecting;
+mod iterating;
 mod joining;
 mod lengths;
 mod making;
@@ -86,6 +87,8 @@ mod _pforms {
     use crate::inside::{immerse_points, polyline, segment, tile};
     #[pymodule_export]
     use crate::intersecting::{intersect, intersect_many};
+    #[pymodule_export]
+    use crate::iterating::{iterate, peano, random_points, thirds};
     #[pymodule_export]
     use crate::joining::{continuity, insert_knots, join_forms, remove_knots};
     #[pymodule_export]

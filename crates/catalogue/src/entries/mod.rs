@@ -19,6 +19,7 @@ mod harmony;
 mod immersing;
 mod interpolating;
 mod intersecting;
+mod iterating;
 mod joining;
 mod knotting;
 mod lengths;
@@ -79,6 +80,8 @@ pub(crate) fn all() -> Vec<Operator> {
         relaxing::ENTRIES,
         geodesics::ENTRIES,
         harmony::ENTRIES,
+        solids::ENTRIES,
+        iterating::ENTRIES,
         transforming::ENTRIES,
         turning::ENTRIES,
         mirroring::ENTRIES,
