@@ -116,6 +116,7 @@ __all__ = [
     "insert_knots",
     "interpolate",
     "interpolating_spline",
+    "iterate",
     "intersect",
     "intersect_many",
     "is_developable",
@@ -133,10 +134,12 @@ __all__ = [
     "parameter_at_length",
     "partition",
     "pascal",
+    "peano",
     "pipe",
     "polyline",
     "project_to_plane",
     "ratios",
+    "random_points",
     "remove_knots",
     "revolve",
     "rotate",
@@ -153,6 +156,7 @@ __all__ = [
     "symmetric",
     "tangent_developable",
     "tessellate",
+    "thirds",
     "threads",
     "tile",
     "torus",
@@ -951,6 +955,23 @@ def grid(
     normals: Literal[True],
     out: tuple[_Array, _Array] | None = None,
 ) -> tuple[_Array, _Array]: ...
+
+def thirds(*forms: _Shape | Sequence[_Shape]) -> list[Form | Spline]: ...
+def iterate(
+    form: Form | ArrayLike,
+    generation: int,
+    rule: Literal["cantor", "sponge", "sierpinski"] = "cantor",
+    *,
+    ratio: _Number = 0.5,
+) -> list[Form]: ...
+def peano(generation: int, axes: int = 2) -> Spline: ...
+def random_points(
+    form: _Shape,
+    count: int,
+    *,
+    law: Literal["uniform", "gaussian"] = "uniform",
+    seed: int = 0,
+) -> _Array: ...
 
 _Solid: TypeAlias = Form | Spline | Mesh | Sequence[Any]
 

@@ -122,9 +122,8 @@ fn a_seed_gives_the_same_points_always() {
 
 #[test]
 fn what_has_no_size_is_named() {
-    let refuse = |form: Form| {
-        random_points(&form.into(), 3, Spread::Uniform, 0).unwrap_err().family()
-    };
+    let refuse =
+        |form: Form| random_points(&form.into(), 3, Spread::Uniform, 0).unwrap_err().family();
     assert_eq!(refuse(Form::point(&[1.0, 2.0]).unwrap()), "Shape");
     assert_eq!(refuse(Form::from_points(&[2, 2], 1, &[0., 1., 2., 3.], None).unwrap()), "Shape");
     assert_eq!(refuse(Form::from_points(&[2], 1, &[1., 1.], None).unwrap()), "Degenerate");

@@ -11,10 +11,13 @@ use crate::pieces::{ball, finite_pieces};
 use crate::space::embed;
 use crate::vector::{Vec3, cross, norm, subtract};
 use crate::weld::welded;
-use crate::{Mesh, Sampling, facets, require_room};
+use crate::{Mesh, Sampling, facets, poles, require_room};
 
 /// A volume below this share of size times area is nothing but rounding.
 const FLAT: f64 = 1e-13;
+
+/// Poles this near a line, in sizes of the shell, are on it but for their rounding.
+const ON_A_LINE: f64 = 1e-14;
 
 /// What a sample takes while solids are combined, in samples of a drawing.
 const WORK: usize = 16;
@@ -31,6 +34,13 @@ pub(super) fn of_patches(patches: &[Form], accuracy: f64, name: &str) -> Result<
     }
     let tolerance = accuracy * radius;
     let sampling = Sampling::Tolerance(tolerance);
+    let mut broad = Vec::with_capacity(patches.len());
+    for patch in patches {
+        if !is_line(patch, radius)? {
+            broad.push(patch.clone());
+        }
+    }
+    let patches = &broad[..];
     let mut samples = 0_usize;
     for patch in patches {
         samples = samples.saturating_add(sampling.segments(patch)?.iter().product());
@@ -64,6 +74,17 @@ pub(super) fn of_patches(patches: &[Form], accuracy: f64, name: &str) -> Result<
     let distance = tolerance + moved;
     let volume_error = volume_error(&places, &triangles, distance);
     Ok(Solid { mesh: Mesh::of_space(places, triangles)?, distance, volume_error })
+}
+
+/// Do all poles lie on a line, as those of a face that turns on an axis do? It has no area, and its
+/// neighbours on both sides meet without it.
+fn is_line(patch: &Form, radius: f64) -> Result<bool> {
+    let places = poles(patch)?;
+    let Some(first) = places.first() else { return Ok(false) };
+    let away = |place: &Vec3| subtract(*place, *first).map(|x| x / radius);
+    let far = places.iter().map(away).max_by(|a, b| norm(*a).total_cmp(&norm(*b)));
+    let side = far.unwrap_or_default();
+    Ok(places.iter().all(|place| norm(cross(away(place), side)) <= ON_A_LINE * norm(side)))
 }
 
 /// The shell of a mesh; nothing for an empty one.
