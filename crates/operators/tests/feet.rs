@@ -82,6 +82,23 @@ fn the_centre_of_a_circle_and_of_a_sphere_is_a_doubt_about_all_of_it() {
 }
 
 #[test]
+fn the_centre_of_curvature_is_a_doubt_at_its_vertex() {
+    // The evolute of the ellipse has a cusp at (0, −3): three feet fall together at (0, 1).
+    let found = feet(&ellipse(&2.0, &1.0, Part::Pieces).unwrap(), &[0.0, -3.0, 0.0]);
+    assert!(!found.complete());
+    for foot in &found.feet {
+        let far = foot.point[1] > 0.0;
+        assert_eq!((foot.proved, foot.kind == FootKind::Flat), (!far, far), "{found:?}");
+    }
+    assert!(
+        found
+            .doubts
+            .iter()
+            .all(|doubt| (doubt.lower[0] - 0.25).abs() < 1e-2 || doubt.lower[0] > 0.9)
+    );
+}
+
+#[test]
 fn ends_count_where_the_distance_does_not_fall() {
     let line: Form = Form::from_points(&[2], 2, &[0., 0., 4., 0.], None).unwrap();
     for (point, at) in

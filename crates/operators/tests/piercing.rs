@@ -120,6 +120,18 @@ fn arcs_in_the_surface_are_overlaps() {
 }
 
 #[test]
+fn a_tangent_of_a_sphere_touches_once() {
+    let ball = sphere(&1.0, Part::Pieces).unwrap();
+    // At (0.48, 0.6, 0.64), along (0.8, 0, −0.6).
+    let line = curve(&[[-0.32, 0.6, 1.24], [1.28, 0.6, 0.04]]);
+    let found = met(&line, &ball);
+    assert_eq!(found.contacts.len(), 1, "{found:?}");
+    let contact = &found.contacts[0];
+    assert_eq!((contact.kind, contact.order), (ContactKind::Tangent, 2), "{found:?}");
+    assert!((contact.first[0] - 0.5).abs() < 1e-9 && found.complete, "{found:?}");
+}
+
+#[test]
 fn a_line_through_the_pole_of_a_sphere() {
     let octant = sphere(&1.0, Part::Octant).unwrap();
     let found = met(&curve(&[[0.1, 2., 0.2], [-0.1, 0., -0.2]]), &octant);

@@ -154,9 +154,20 @@ struct Search {
     limits: Limits,
 }
 
+/// How the distance changes from a place into the window, across the face it was found on.
+enum Stand {
+    /// It falls: no foot.
+    Falls,
+    /// No change is known: it is less than rounding.
+    Level,
+    /// It grows.
+    Sure,
+}
+
 /// A place on a piece that may be a foot.
 struct Candidate {
     patch: usize,
+    face: Vec<Side>,
     local: Vec<f64>,
     radius: f64,
     proved: bool,
@@ -175,17 +186,29 @@ impl Search {
             .iter()
             .map(|patch| Field::new(&patch.form, &point))
             .collect::<Result<Vec<_>>>()?;
-        let (mut candidates, mut doubts) = (Vec::new(), Vec::new());
+        let (mut candidates, mut doubts): (Vec<Candidate>, _) = (Vec::new(), Vec::new());
         for (number, field) in fields.iter().enumerate() {
             for face in faces(self.counts.len()) {
                 self.on_face(number, field, &face, &mut candidates, &mut doubts)?;
             }
         }
-        candidates.retain(|candidate| self.stands(&fields, candidate));
         let mut feet = Feet { feet: Vec::new(), doubts };
-        for candidate in &candidates {
-            let foot = self.foot(&fields, candidate)?;
-            include(&mut feet.feet, foot);
+        for mut candidate in candidates {
+            match self.stands(&fields, &candidate) {
+                Stand::Falls => continue,
+                Stand::Sure => {}
+                Stand::Level => {
+                    // A foot of the window may be here, told by its own equations; if not by them,
+                    // there is no more to tell.
+                    candidate.proved = false;
+                    candidate.kind = FootKind::Flat;
+                }
+            }
+            let foot = self.foot(&fields, &candidate)?;
+            if include(&mut feet.feet, &foot) && !foot.proved && candidate.radius == 0.0 {
+                let (lower, upper) = (foot.parameters.clone(), foot.parameters);
+                feet.doubts.push(Doubt { lower, upper });
+            }
         }
         feet.feet.sort_by(|a, b| {
             let each = a.parameters.iter().zip(&b.parameters).map(|(s, t)| s.total_cmp(t));
@@ -216,6 +239,7 @@ impl Search {
             let kind = FootKind::Minimum;
             candidates.push(Candidate {
                 patch,
+                face: face.to_vec(),
                 local: fixed(&[]),
                 radius: 0.0,
                 proved: true,
@@ -228,11 +252,13 @@ impl Search {
         for root in roots {
             let kind = FootKind::at(&equations, &root.parameters);
             let (local, radius) = (fixed(&root.parameters), root.radius);
-            candidates.push(Candidate { patch, local, radius, proved: true, kind });
+            let face = face.to_vec();
+            candidates.push(Candidate { patch, face, local, radius, proved: true, kind });
         }
         for cluster in clusters {
             let (local, radius) = (fixed(&cluster.parameters), cluster.width());
-            let candidate = Candidate { patch, local, radius, proved: false, kind: FootKind::Flat };
+            let (kind, sides) = (FootKind::Flat, face.to_vec());
+            let candidate = Candidate { patch, face: sides, local, radius, proved: false, kind };
             if !Self::may_stand(field, face, &fixed(&cluster.lower), &fixed(&cluster.upper)) {
                 continue;
             }
@@ -256,25 +282,32 @@ impl Search {
     }
 
     /// Does the distance not fall from there at first order, on any piece that it belongs to?
-    fn stands(&self, fields: &[Field], candidate: &Candidate) -> bool {
-        self.neighbours(candidate).into_iter().all(|(patch, local)| {
+    fn stands(&self, fields: &[Field], candidate: &Candidate) -> Stand {
+        let mut stand = Stand::Sure;
+        for (patch, local) in self.neighbours(candidate) {
             let field = &fields[patch];
             let foot = seen(&fields[candidate.patch].seen, &candidate.local);
             let there = seen(&field.seen, &local);
             if !together(foot.as_deref(), there.as_deref()) {
-                return true;
+                continue;
             }
             let inward = |axis: usize| match local[axis] {
                 0.0 => 1.0,
                 1.0 => -1.0,
                 _ => 0.0,
             };
-            let rate = field.equations.rates(&local, candidate.radius);
-            (0..local.len()).all(|axis| {
-                let (value, slack) = rate[axis];
-                inward(axis) * value >= -slack
-            })
-        })
+            let rates = field.equations.rates(&local, candidate.radius);
+            for (axis, (value, slack)) in rates.into_iter().enumerate() {
+                let value = inward(axis) * value;
+                if value < -slack {
+                    return Stand::Falls;
+                }
+                if candidate.face[axis] != Side::Free && value <= slack {
+                    stand = Stand::Level;
+                }
+            }
+        }
+        stand
     }
 
     /// The piece of a candidate and those that meet it there, each with the place in it.
@@ -353,16 +386,20 @@ fn faces(axes: usize) -> Vec<Vec<Side>> {
     all
 }
 
-/// Adds a foot unless it is one of those already there, found from another face or piece.
-fn include(feet: &mut Vec<Foot>, foot: Foot) {
+/// Adds a foot unless it is one of those already there, found from another face or piece. Is it new?
+fn include(feet: &mut Vec<Foot>, foot: &Foot) -> bool {
     let same = |other: &Foot| {
         let reach = 2.0 * (foot.error + other.error) + 2.0 * BORDER;
         let pairs = foot.parameters.iter().zip(&other.parameters);
         pairs.clone().all(|(s, t)| (s - t).abs() <= reach * (1.0 + s.abs()))
     };
     match feet.iter().position(same) {
-        Some(i) if foot.proved && !feet[i].proved => feet[i] = foot,
+        Some(i) if foot.proved && !feet[i].proved => feet[i] = foot.clone(),
         Some(_) => {}
-        None => feet.push(foot),
+        None => {
+            feet.push(foot.clone());
+            return true;
+        }
     }
+    false
 }

@@ -8,8 +8,7 @@
 use pforms_kernel::{Error, Form, Result};
 
 use super::answer::{Contact, ContactKind, Intersections, Overlap, Undecided, sort};
-use crate::measuring::Projector;
-use crate::measuring::project::{Weights, positive_weights};
+use crate::measuring::project::{Weights, descend, positive_weights};
 use crate::measuring::scale::{in_units, unit};
 use crate::measuring::system::{Cluster, Equations, Limits, Root, Solutions, solve};
 use crate::measuring::vector::{cross, norm};
@@ -40,11 +39,8 @@ pub(super) fn curve_surface(curve: &Form, surface: &Form, accuracy: f64) -> Resu
     let away = ours.upper.iter().chain(&ours.lower).fold(0.0_f64, |most, x| most.max(x.abs()));
     let noise = ROUNDINGS * (size + away);
     let pair = Pair { curve, surface, unit, noise, reach: near.max(noise), accuracy };
-    if !clusters.is_empty() {
-        let beside = Beside { pair: &pair, projector: Projector::new(&pair.surface, PROJECTION)? };
-        for cluster in &clusters {
-            beside.explain(cluster, &mut found)?;
-        }
+    for cluster in &clusters {
+        Beside { pair: &pair, cluster }.explain(&mut found)?;
     }
     for root in roots {
         let within = |overlap: &Overlap| {
@@ -64,9 +60,6 @@ const MOST: usize = 1 << 12;
 
 /// What rounding does to a distance, in sizes of the forms.
 const ROUNDINGS: f64 = 64.0 * f64::EPSILON;
-
-/// The accuracy of distances: that of the feet on the surface.
-const PROJECTION: f64 = 1e-15;
 
 /// So near to an end of an overlap a crossing is a part of it.
 const WITHIN: f64 = 1e-9;
@@ -118,17 +111,25 @@ fn distance(p: &[f64], q: &[f64]) -> f64 {
     norm(&offset)
 }
 
-/// The curve seen from the surface.
+/// The curve seen from the part of the surface that a cluster holds.
 struct Beside<'a> {
     pair: &'a Pair,
-    projector: Projector,
+    cluster: &'a Cluster,
 }
 
 impl Beside<'_> {
-    /// The distance of a point of the curve from the surface, and its foot.
+    /// The distance of a point of the curve from the surface, and its foot: by descent from the cell
+    /// beside it.
     fn foot(&self, t: f64) -> Result<(f64, Vec<f64>)> {
-        let found = self.projector.project(&self.pair.curve.at(&[t])?)?;
-        Ok((found.distances[0], found.parameters))
+        let point = self.pair.curve.at(&[t])?;
+        let off = |cell: &(Vec<f64>, Vec<f64>)| (cell.0[0] - t).max(t - cell.1[0]).max(0.0);
+        let beside = self.cluster.cells.iter().min_by(|a, b| off(a).total_cmp(&off(b)));
+        let middle = beside.map(|(low, high)| -> Vec<f64> {
+            low[1..].iter().zip(&high[1..]).map(|(a, b)| f64::midpoint(*a, *b)).collect()
+        });
+        let least = descend(&self.pair.surface, &point, &self.cluster.parameters[1..]);
+        let other = middle.map(|from| descend(&self.pair.surface, &point, &from));
+        Ok(other.filter(|other| other.0 < least.0).unwrap_or(least))
     }
 
     fn meets(&self, t: f64) -> Result<bool> {
@@ -136,9 +137,10 @@ impl Beside<'_> {
     }
 
     /// Adds what a cluster is: an arc, a point where they touch, or a doubt.
-    fn explain(&self, cluster: &Cluster, found: &mut Intersections) -> Result<()> {
+    fn explain(&self, found: &mut Intersections) -> Result<()> {
+        let cluster = self.cluster;
         let (low, high) = (cluster.lower[0], cluster.upper[0]);
-        let Some(inside) = self.inside(cluster)? else {
+        let Some(inside) = self.inside()? else {
             // Nowhere near on a sound sample of it, but not shown to be so.
             leave(cluster, found);
             return Ok(());
@@ -165,7 +167,7 @@ impl Beside<'_> {
                 return Ok(());
             }
         }
-        let contact = self.contact(cluster, f64::midpoint(from, to), to - from)?;
+        let contact = self.contact(f64::midpoint(from, to), to - from)?;
         if cluster.unfinished || self.pair.accuracy == 0.0 {
             leave(cluster, found);
         }
@@ -182,7 +184,8 @@ impl Beside<'_> {
     }
 
     /// A parameter in the cluster where the curve is on the surface.
-    fn inside(&self, cluster: &Cluster) -> Result<Option<f64>> {
+    fn inside(&self) -> Result<Option<f64>> {
+        let cluster = self.cluster;
         let middle = cluster.cells.len() / 2;
         let of_cell = |(low, high): &(Vec<f64>, Vec<f64>)| f64::midpoint(low[0], high[0]);
         let tried = [cluster.parameters[0], of_cell(&cluster.cells[middle])];
@@ -217,7 +220,8 @@ impl Beside<'_> {
     }
 
     /// The place where they touch: `width` is as far as they stay together.
-    fn contact(&self, cluster: &Cluster, middle: f64, width: f64) -> Result<Contact> {
+    fn contact(&self, middle: f64, width: f64) -> Result<Contact> {
+        let cluster = self.cluster;
         let order = self.order(middle, width)?;
         let t = if order == 2 && self.pair.curve.ambient() == 3 {
             self.level(middle, width)?
@@ -253,8 +257,11 @@ impl Beside<'_> {
         for side in [-1.0, 1.0] {
             let (near, far) = (t + side * step, t + 2.0 * side * step);
             if (0.0..=1.0).contains(&far) {
-                let (d, e) = (self.foot(near)?.0, self.foot(far)?.0);
-                powers.push(libm::log2(e / d));
+                let (d, (e, foot)) = (self.foot(near)?.0, self.foot(far)?);
+                // Beside the border of the surface the distance is that from the border.
+                if !at_border(0.5, &foot) {
+                    powers.push(libm::log2(e / d));
+                }
             }
         }
         let mean = powers.iter().sum::<f64>() / powers.len().max(1) as f64;

@@ -20,6 +20,7 @@ pub(super) mod weight;
 use pforms_kernel::vectors::in_lanes;
 use pforms_kernel::{Error, Form, Result, limit, threads};
 
+use descent::Foot;
 use quick::{Quick, Task};
 use rows::Rows;
 use search::Search;
@@ -80,6 +81,13 @@ impl Projection {
 /// ```
 pub fn project(form: &Form, points: &[f64], accuracy: f64) -> Result<Projection> {
     Projector::new(form, accuracy)?.project(points)
+}
+
+/// Where descent from some parameters ends: the distance from a point there, and the parameters.
+pub(super) fn descend(form: &Form, point: &[f64], from: &[f64]) -> (f64, Vec<f64>) {
+    let (lower, upper) = (vec![0.0; from.len()], vec![1.0; from.len()]);
+    let foot = Foot::at(form, point, from.to_vec()).descended(form, point, &lower, &upper);
+    (foot.distance, foot.parameters)
 }
 
 /// A form made ready for projection: its window in cells, and how its poles multiply.

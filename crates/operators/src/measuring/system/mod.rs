@@ -126,6 +126,7 @@ pub(crate) fn solve(equations: &Equations, limits: &Limits) -> Solutions {
 }
 
 /// What is known of a cell after a look at it.
+#[allow(clippy::large_enum_variant, reason = "one at a time, and never kept")]
 enum Verdict {
     Nothing,
     Root(Root),
