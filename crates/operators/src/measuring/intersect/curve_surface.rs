@@ -253,17 +253,17 @@ impl Beside<'_> {
     /// By which power the distance grows, from its growth when the way is doubled; 0 if by none.
     fn order(&self, t: f64, width: f64) -> Result<usize> {
         let step = (16.0 * width).clamp(1e-9, 0.05);
-        let mut powers = Vec::new();
+        let (mut powers, mut at_edge) = (Vec::new(), Vec::new());
         for side in [-1.0, 1.0] {
             let (near, far) = (t + side * step, t + 2.0 * side * step);
             if (0.0..=1.0).contains(&far) {
                 let (d, (e, foot)) = (self.foot(near)?.0, self.foot(far)?);
                 // Beside the border of the surface the distance is that from the border.
-                if !at_border(0.5, &foot) {
-                    powers.push(libm::log2(e / d));
-                }
+                let powers = if at_border(0.5, &foot) { &mut at_edge } else { &mut powers };
+                powers.push(libm::log2(e / d));
             }
         }
+        let powers = if powers.is_empty() { at_edge } else { powers };
         let mean = powers.iter().sum::<f64>() / powers.len().max(1) as f64;
         let whole = mean.round();
         let sure = (mean - whole).abs() < 0.25 && (1.0..=20.0).contains(&whole);
