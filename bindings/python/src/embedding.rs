@@ -135,7 +135,7 @@ impl PyEmbedding {
     /// Examples
     /// --------
     /// >>> square = pf.Form([[(0, 0), (0, 2)], [(2, 0), (2, 2)]])
-    /// >>> pf.embed([(1, 0.5)], square).sensitivities(square).dense()
+    /// >>> pf.embed([(1, 0.5)], square).sensitivities(square).toarray()
     /// array([[0.375, 0.125, 0.375, 0.125]])
     #[pyo3(signature = (cage))]
     fn sensitivities<'py>(&self, cage: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
@@ -211,8 +211,8 @@ impl PyEmbedding {
 /// Examples
 /// --------
 /// >>> cage = pf.Form([[(0, 0), (0, 1)], [(2, 0), (3, 3)]])
-/// >>> pf.embed((1.125, 0.75), cage).parameters
-/// array([0.5 , 0.375])
+/// >>> pf.embed((1.1875, 0.75), cage).parameters
+/// array([0.5  , 0.375])
 #[pyfunction]
 #[pyo3(
     signature = (points, cage, *, accuracy=None, outside="keep"),
