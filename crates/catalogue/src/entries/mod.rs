@@ -80,7 +80,6 @@ pub(crate) fn all() -> Vec<Operator> {
         relaxing::ENTRIES,
         geodesics::ENTRIES,
         harmony::ENTRIES,
-        solids::ENTRIES,
         iterating::ENTRIES,
         transforming::ENTRIES,
         turning::ENTRIES,
