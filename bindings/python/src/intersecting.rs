@@ -214,11 +214,11 @@ fn class<'py>(py: Python<'py>, name: &str) -> PyResult<Bound<'py, PyAny>> {
 }
 
 /// A `pforms.records.Intersection`, for the axes of both forms and the dimension of the points.
-fn record<'py>(
-    py: Python<'py>,
+fn record(
+    py: Python<'_>,
     [p, q, ambient]: [usize; 3],
     found: Intersections,
-) -> PyResult<Bound<'py, PyAny>> {
+) -> PyResult<Bound<'_, PyAny>> {
     let list = &found.contacts;
     let count = list.len();
     let wide = |width: usize, part: &dyn Fn(&Contact) -> &[f64]| {

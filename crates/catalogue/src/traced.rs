@@ -86,7 +86,7 @@ impl Arithmetic for Traced {
 
     /// What moves nothing is computed without traces.
     fn without_routine(operator: &'static Operator, arguments: &Arguments<Self>) -> Value<Self> {
-        match arguments.map(&plain) {
+        match arguments.map(plain) {
             Some(arguments) => traced(&operator.call(arguments)),
             None => no_derivative().into(),
         }
@@ -218,7 +218,7 @@ impl<S: Arithmetic> Value<S> {
                     && spline
                         .knots()
                         .iter()
-                        .flat_map(|k| k.as_slice())
+                        .flat_map(pforms_operators::Knots::as_slice)
                         .all(|x| convert(x).is_some());
                 let or_zero = |x: &S| convert(x).unwrap_or_else(T::zero);
                 Value::Spline(known.then(|| spline.map_scalar(or_zero).ok()).flatten()?)

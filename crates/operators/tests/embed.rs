@@ -165,14 +165,13 @@ fn points_outside_are_reported_and_stay() {
         let mut outside = 0;
         for (i, point) in points.chunks_exact(axes).enumerate() {
             assert!(found.complete[i]);
-            match found.standings[i] {
-                Standing::Inside => assert!(found.residuals[i] < 1e-12),
-                _ => {
-                    outside += 1;
-                    assert_eq!(&moved[i * axes..(i + 1) * axes], point);
-                    // The steepest step between samples is below 0.3; a point outside is on none.
-                    assert!(grid.chunks_exact(axes).all(|x| x != point));
-                }
+            if found.standings[i] == Standing::Inside {
+                assert!(found.residuals[i] < 1e-12)
+            } else {
+                outside += 1;
+                assert_eq!(&moved[i * axes..(i + 1) * axes], point);
+                // The steepest step between samples is below 0.3; a point outside is on none.
+                assert!(grid.chunks_exact(axes).all(|x| x != point));
             }
         }
         assert!(outside > 500 && outside < 2900);

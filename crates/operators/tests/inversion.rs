@@ -76,7 +76,7 @@ fn the_pole_of_a_sphere_is_a_whole_edge() {
     assert!(!found.complete() && found.inside(), "{found:?}");
     let doubt = &found.doubts[0];
     let sides: Vec<f64> = doubt.lower.iter().zip(&doubt.upper).map(|(a, b)| b - a).collect();
-    assert!(sides.iter().any(|side| *side == 1.0), "{doubt:?}");
+    assert!(sides.contains(&1.0), "{doubt:?}");
     assert!(sides.iter().any(|side| *side < 1e-6), "{doubt:?}");
 }
 

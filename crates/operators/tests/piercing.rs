@@ -20,7 +20,7 @@ fn power(order: usize, height: f64) -> Shape {
         .map(|i| {
             let x = -1.0 + 2.0 * i as f64 / order as f64;
             // The blossom of xⁿ at i ones and n − i minus ones.
-            let z = if (order - i) % 2 == 0 { 1.0 } else { -1.0 };
+            let z = if (order - i).is_multiple_of(2) { 1.0 } else { -1.0 };
             [x, x / 3.0, height + z]
         })
         .collect();

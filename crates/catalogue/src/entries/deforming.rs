@@ -77,21 +77,17 @@ fn deform<S: Arithmetic>(a: &Bound<S>) -> Outcome<S> {
         let expected = words("no part without points = TRUE", "aucune partie sans points = VRAI");
         return Err(a.refused(4, &a.value(4), expected));
     }
-    each(a, &a.value(0), &|value| {
+    each(&a.value(0), &|value| {
         let object = a.shape_of(0, value)?;
         if points { followed(a, &object, &cage, &rest) } else { bent(&object, &cage, &rest) }
     })
 }
 
 /// Does it with a form, or with all in a list.
-fn each<S: Arithmetic>(
-    a: &Bound<S>,
-    value: &Value<S>,
-    act: &impl Fn(&Value<S>) -> Outcome<S>,
-) -> Outcome<S> {
+fn each<S: Arithmetic>(value: &Value<S>, act: &impl Fn(&Value<S>) -> Outcome<S>) -> Outcome<S> {
     match value {
         Value::List(items) if !value.is_points() => {
-            let moved = items.iter().map(|item| each(a, item, act)).collect::<Result<_, _>>()?;
+            let moved = items.iter().map(|item| each(item, act)).collect::<Result<_, _>>()?;
             Ok(Value::list(moved))
         }
         one => act(one),

@@ -241,8 +241,8 @@ impl Cell {
         let wide = |axis: &usize| orders[*axis] > 1;
         if !self.bound.is_finite() {
             // Where the weight may vanish there is nothing to compare.
-            let turns = (0..orders.len()).map(|k| (self.depth + k) % orders.len());
-            return turns.filter(wide).next();
+            let mut turns = (0..orders.len()).map(|k| (self.depth + k) % orders.len());
+            return turns.find(wide);
         }
         let value = |place: usize| poles[place][0] / poles[place][1];
         let variation = |axis: usize| {

@@ -78,13 +78,15 @@ impl Patch {
 pub(super) fn is_closed(patches: &[Patch], counts: &[usize], axis: usize) -> bool {
     let stride: usize = counts[axis + 1..].iter().product();
     let across = stride * counts[axis];
-    (0..patches.len()).filter(|number| number / stride % counts[axis] == 0).all(|first| {
-        let last = first + across - stride;
-        let (low, high) =
-            (end(&patches[first].form, axis, false), end(&patches[last].form, axis, true));
-        let size = low.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
-        low.iter().zip(&high).all(|(x, y)| (x - y).abs() <= 16.0 * f64::EPSILON * size)
-    })
+    (0..patches.len()).filter(|number| (number / stride).is_multiple_of(counts[axis])).all(
+        |first| {
+            let last = first + across - stride;
+            let (low, high) =
+                (end(&patches[first].form, axis, false), end(&patches[last].form, axis, true));
+            let size = low.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+            low.iter().zip(&high).all(|(x, y)| (x - y).abs() <= 16.0 * f64::EPSILON * size)
+        },
+    )
 }
 
 /// The poles at one end of an axis.

@@ -1,4 +1,4 @@
-//! Free-form deformations of PyGeM and pyGeo, done again.
+//! Free-form deformations of `PyGeM` and pyGeo, done again.
 
 use pforms_kernel::Form;
 use pforms_operators::{Outside, Rest, Shape, Spline, Standing, deform, embed};
@@ -77,7 +77,7 @@ fn at_rest(face: &Spline, half: Option<f64>, height: f64) -> Spline {
     Spline::new(net, &[2, 1], vec![vec![a, a, a, m, m, b, b, b], vec![c, c, d, d]]).unwrap()
 }
 
-/// The poles of the faces follow a box, as PyGeM does it after inserting knots.
+/// The poles of the faces follow a box, as `PyGeM` does it after inserting knots.
 #[test]
 fn the_pipe_of_pygem() {
     let file = text("ffd/pygem-pipe.params.ini");

@@ -80,7 +80,7 @@ pub fn minimal(
         }
         Some(functional) => (work.least(functional)?, 0),
     };
-    let found = work.report(poles, steps)?;
+    let found = work.report(&poles, steps)?;
     units.restored(found, &frame)
 }
 

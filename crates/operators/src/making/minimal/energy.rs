@@ -28,11 +28,11 @@ impl<S: Scalar> Energy<S> {
         let right = each(&lines, |line| line.integrals(0, 2))?;
         let mut terms = Vec::with_capacity(knots.len() * knots.len());
         for a in 0..knots.len() {
-            for b in 0..knots.len() {
+            for (b, other) in right.iter().enumerate() {
                 terms.push(if a == b {
                     replaced(&mass, &[(a, &bend[a])])
                 } else {
-                    replaced(&mass, &[(a, &left[a]), (b, &right[b])])
+                    replaced(&mass, &[(a, &left[a]), (b, other)])
                 });
             }
         }

@@ -32,11 +32,17 @@ impl Units {
         let width = net.width();
         let mut poles = net.homogeneous().to_vec();
         for pole in poles.chunks_exact_mut(width) {
-            pole.iter_mut().for_each(|x| *x /= self.weight);
-            pole[..width - 1].iter_mut().for_each(|x| *x /= self.length);
+            for x in pole.iter_mut() {
+                *x /= self.weight;
+            }
+            for x in &mut pole[..width - 1] {
+                *x /= self.length;
+            }
             if net.uniform_weight().is_some() {
                 let weight = pole[width - 1];
-                pole.iter_mut().for_each(|x| *x /= weight);
+                for x in pole.iter_mut() {
+                    *x /= weight;
+                }
             }
         }
         let small = Form::from_homogeneous(net.orders(), net.ambient(), poles)?;

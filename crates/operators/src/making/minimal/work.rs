@@ -194,18 +194,18 @@ impl Work {
     }
 
     /// What is known about a surface.
-    pub(super) fn report(&self, poles: Vec<f64>, steps: usize) -> Result<Minimal> {
-        let surface = self.frame.spline.with_net(self.net_of(&poles)?)?;
+    pub(super) fn report(&self, poles: &[f64], steps: usize) -> Result<Minimal> {
+        let surface = self.frame.spline.with_net(self.net_of(poles)?)?;
         let measured = certified(&surface)?;
         let patch = Patch::new(&surface, 2 * self.nodes);
         let ratio = self.ratio();
-        let energy = patch.sum(&poles, |point| {
+        let energy = patch.sum(poles, |point| {
             let [u, v] = &point.slopes;
-            (ratio * dot(u, u) + dot(v, v) / ratio) / 2.0
+            f64::midpoint(ratio * dot(u, u), dot(v, v) / ratio)
         });
         let coons = self.coons.as_ref().map(certified).transpose()?;
         let area = measured.value;
-        let bent = patch.sum_of_bends(&poles, |point, bends| {
+        let bent = patch.sum_of_bends(poles, |point, bends| {
             mean_curvature(point, bends).powi(2) * point.metric().area
         });
         Ok(Minimal {
@@ -214,9 +214,9 @@ impl Work {
             error: measured.error,
             coons_area: coons.map(|coons| coons.value),
             energy,
-            laplacian: self.laplacian(&patch, &poles),
+            laplacian: self.laplacian(&patch, poles),
             curvature: if area > 0.0 { (bent / area).sqrt() } else { 0.0 },
-            slope: self.on(&patch).slope_at(&poles)?,
+            slope: self.on(&patch).slope_at(poles)?,
             steps,
         })
     }

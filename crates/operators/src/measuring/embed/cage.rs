@@ -59,7 +59,7 @@ impl Cage {
         }
         let away = sides.iter().fold(0.0_f64, |most, side| most.max(side.0.abs()));
         let (centre, scale) = (sides.iter().map(|side| side.0).collect::<Vec<_>>(), binade(half));
-        let rational = forms.iter().any(|form| form.is_rational())
+        let rational = forms.iter().any(pforms_kernel::Form::is_rational)
             || forms.windows(2).any(|pair| pair[0].uniform_weight() != pair[1].uniform_weight());
         let unit = binade(largest);
         let mut amplified = 1.0_f64;

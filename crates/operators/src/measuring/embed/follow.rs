@@ -161,7 +161,7 @@ impl Embedding {
             let mut column = vec![0.0; self.len() * axes];
             match cage {
                 Shape::Form(form) => {
-                    form.scattered_derivative_into(&lists, &orders, &mut column)?
+                    form.scattered_derivative_into(&lists, &orders, &mut column)?;
                 }
                 Shape::Spline(spline) => {
                     spline.scattered_derivative_into(&lists, &orders, &mut column)?;

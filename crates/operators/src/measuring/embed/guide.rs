@@ -95,8 +95,8 @@ impl Guide {
                 upper[k] = upper[k].max(sides[axes + k]);
             }
         });
-        for k in 0..axes {
-            self.steps[k] = ((upper[k] - self.lower[k]) / self.counts[k] as f64).max(1e-300);
+        for (k, upper) in upper.iter().enumerate() {
+            self.steps[k] = ((upper - self.lower[k]) / self.counts[k] as f64).max(1e-300);
             self.rates[k] = 1.0 / self.steps[k];
         }
     }
@@ -129,7 +129,6 @@ impl Guide {
                 .collect();
             let last: Vec<usize> = (0..axes)
                 .map(|k| (at(sides[axes + k] + 1e-9 * self.steps[k], k)).max(0.0) as usize)
-                .map(|i| i)
                 .zip(&self.counts)
                 .map(|(i, count)| i.min(count - 1))
                 .collect();
@@ -270,7 +269,9 @@ impl Guide {
         for k in 0..axes {
             let row = &mut slopes[k * axes..][..axes];
             let by: f64 = row.iter().zip(&jet.value).map(|(a, g)| a * g).sum();
-            row.iter_mut().for_each(|a| *a *= jet.weight);
+            for a in row.iter_mut() {
+                *a *= jet.weight;
+            }
             let to: f64 = row.iter().zip(centre).map(|(a, x)| a * x).sum();
             start.origin[k] = at[k] - by - to;
             start.inverse[k][..axes].copy_from_slice(row);

@@ -119,8 +119,10 @@ impl Embedder {
             let (low, high) = (&mut low[range.clone()], &mut high[range]);
             slope_bounds(&poles, &cage.orders, axis, axes, factor, low, high);
             let noise = 2.0 * factor * super::cells::MARGIN * cage.noise;
-            low.iter_mut().for_each(|x| *x -= noise);
-            high.iter_mut().for_each(|x| *x += noise);
+            for (low, high) in low.iter_mut().zip(high) {
+                *low -= noise;
+                *high += noise;
+            }
         }
         Between::new(&low, &high, axes).is_some_and(|slopes| slopes.is_invertible(axes))
     }

@@ -205,9 +205,9 @@ impl Cell {
                 about: 0.0,
             };
             if end == 0 {
-                cell.high[axis] = middle
+                cell.high[axis] = middle;
             } else {
-                cell.low[axis] = middle
+                cell.low[axis] = middle;
             }
             cell.measured(power)
         };
