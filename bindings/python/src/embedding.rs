@@ -399,9 +399,8 @@ impl<'py> Deformation<'_, 'py> {
         let moved = self.followed(py, &Numbers::read("object", &vertices)?)?;
         let width = self.cage.net().ambient();
         let none = array(py, &[0, width], Vec::new())?;
-        let triangles = match mesh.getattr_opt(intern!(py, "triangles"))? {
-            Some(triangles) => triangles,
-            None => return Err(mistyped("object", mesh, "a mesh with vertices and triangles")),
+        let Some(triangles) = mesh.getattr_opt(intern!(py, "triangles"))? else {
+            return Err(mistyped("object", mesh, "a mesh with vertices and triangles"));
         };
         let class = py.import(intern!(py, "pforms.records"))?.getattr(intern!(py, "Mesh"))?;
         class.call1((moved, none, triangles))
