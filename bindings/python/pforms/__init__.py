@@ -168,6 +168,7 @@ from pforms.records import (
 )
 from pforms.sensitivity import sensitivities
 from pforms.sparse import Sparse
+from pforms.solids import boolean
 
 binormal_form = either(Form.binormal_form, Spline.binormal_form)
 blossom = of_forms(Form.blossom)
@@ -260,6 +261,7 @@ __all__ = [
     "bezier_torus",
     "binormal_form",
     "blossom",
+    "boolean",
     "bounding_box",
     "box",
     "bspline",
