@@ -18,9 +18,9 @@ from pforms.records import (
     Fit,
     Folds,
     Frame,
-    Inertia,
     Geodesic,
     Geodesics,
+    Inertia,
     Intersection,
     Inversion,
     Joined,
@@ -95,8 +95,8 @@ __all__ = [
     "cross",
     "cube",
     "cylinder",
-    "difference",
     "deform",
+    "difference",
     "ellipse",
     "embed",
     "explain",
@@ -105,8 +105,8 @@ __all__ = [
     "fit",
     "forecast",
     "geodesic",
-    "golden",
     "geodesic_between",
+    "golden",
     "gordon",
     "grid",
     "hyperbola",
@@ -116,11 +116,11 @@ __all__ = [
     "insert_knots",
     "interpolate",
     "interpolating_spline",
-    "iterate",
     "intersect",
     "intersect_many",
     "is_developable",
     "is_injective",
+    "iterate",
     "jacobian",
     "join_forms",
     "line",
@@ -138,8 +138,8 @@ __all__ = [
     "pipe",
     "polyline",
     "project_to_plane",
-    "ratios",
     "random_points",
+    "ratios",
     "remove_knots",
     "revolve",
     "rotate",
@@ -255,7 +255,9 @@ class Form:
     def project(
         self, points: ArrayLike, *, accuracy: float = 1e-12, all: Literal[False] = False
     ) -> Projection: ...
-    def project(self, points: ArrayLike, *, accuracy: float = 1e-12, all: Literal[True]) -> Feet: ...
+    def project(
+        self, points: ArrayLike, *, accuracy: float = 1e-12, all: Literal[True]
+    ) -> Feet: ...
     @overload
     def project(
         self, points: ArrayLike, *, accuracy: float = 1e-12, all: Literal[True]
@@ -955,7 +957,6 @@ def grid(
     normals: Literal[True],
     out: tuple[_Array, _Array] | None = None,
 ) -> tuple[_Array, _Array]: ...
-
 def thirds(*forms: _Shape | Sequence[_Shape]) -> list[Form | Spline]: ...
 def iterate(
     form: Form | ArrayLike,
@@ -976,9 +977,7 @@ def random_points(
 _Solid: TypeAlias = Form | Spline | Mesh | Sequence[Any]
 
 @overload
-def union(
-    *solids: _Solid, accuracy: _Number = 1e-3, report: Literal[False] = False
-) -> Mesh: ...
+def union(*solids: _Solid, accuracy: _Number = 1e-3, report: Literal[False] = False) -> Mesh: ...
 @overload
 def union(*solids: _Solid, accuracy: _Number = 1e-3, report: Literal[True]) -> Solid: ...
 @overload
@@ -988,9 +987,7 @@ def difference(
 @overload
 def difference(*solids: _Solid, accuracy: _Number = 1e-3, report: Literal[True]) -> Solid: ...
 @overload
-def common(
-    *solids: _Solid, accuracy: _Number = 1e-3, report: Literal[False] = False
-) -> Mesh: ...
+def common(*solids: _Solid, accuracy: _Number = 1e-3, report: Literal[False] = False) -> Mesh: ...
 @overload
 def common(*solids: _Solid, accuracy: _Number = 1e-3, report: Literal[True]) -> Solid: ...
 def _make_mesh(vertices: ArrayLike, triangles: ArrayLike) -> Mesh: ...
@@ -1326,7 +1323,7 @@ def embed(
     outside: Literal["keep", "extend", "error"] = "keep",
 ) -> Embedding: ...
 def deform(
-    object: Any,  # noqa: A002
+    object: Any,
     cage: Form | Spline | ArrayLike,
     *,
     rest: Form | Spline | ArrayLike | None = None,
@@ -1455,7 +1452,7 @@ def geodesic_between(
     q: ArrayLike,
     *,
     longest: _Number | None = None,
-    all: bool = False,  # noqa: A002
+    all: bool = False,
     accuracy: _Number = 1e-10,
     seams: bool = True,
 ) -> Connection | list[Connection]: ...

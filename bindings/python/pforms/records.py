@@ -521,6 +521,8 @@ class Crossings(NamedTuple):
         """For each pair its parameters, shape (k, axes of both)."""
         ends = self.starts.tolist()
         return [self.parameters[i:j] for i, j in zip(ends[:-1], ends[1:], strict=True)]
+
+
 class Connection(NamedTuple):
     """A straight line between two points of a surface.
 
