@@ -180,7 +180,7 @@ class Minimal(NamedTuple):
 
     >>> import pforms as pf
     >>> saddle = [[(x, y, x * y) for y in (-1, 0, 1)] for x in (-1, 0, 1)]
-    >>> found = pf.minimal(saddle, report=True)
+    >>> found = pf.minimal(pf.Form(saddle), report=True)
     >>> found.surface == pf.Form(saddle), round(found.area, 6), found.laplacian
     (True, 5.123157, 0.0)
     """
@@ -570,7 +570,7 @@ class Geodesic(NamedTuple):
 
     >>> import pforms as pf
     >>> line = pf.geodesic(pf.Form([[(0, 0), (0, 1)], [(1, 0), (1, 1)]]), (0, 0), 0.0, 2)
-    >>> line.length, line.ending, line.end.tolist()
+    >>> round(line.length, 12), line.ending, line.end.tolist()
     (1.0, 'border', [1.0, 0.0])
     """
 

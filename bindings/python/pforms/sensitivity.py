@@ -7,11 +7,11 @@ from typing import TYPE_CHECKING
 from pforms._pforms import Sheet
 
 if TYPE_CHECKING:
-    from pforms._pforms import Form, Spline
+    from pforms._pforms import Form
     from pforms.sparse import Sparse
 
 
-def sensitivities(result: str, source: str, /, **values: Form | Spline | float | str) -> Sparse:
+def sensitivities(result: str, source: str, /, **values: Form | float | str) -> Sparse:
     """The exact derivatives of a formula in the numbers of one of its values.
 
     Parameters
@@ -20,7 +20,7 @@ def sensitivities(result: str, source: str, /, **values: Form | Spline | float |
         A formula without its ``=``, in the names of the values: ``"DIAG(MIR(a, b, c))"``.
     source : str
         The name of the value that moves.
-    **values : Form, Spline, float or str
+    **values : Form, float or str
         What the names stand for; a str is the text of a cell, such as ``"=2*a"``.
 
     Returns

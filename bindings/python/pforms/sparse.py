@@ -48,7 +48,7 @@ class Sparse(NamedTuple):
     def __matmul__(self, vector: ArrayLike) -> NDArray[float64]:
         """The product with a vector: how the results follow when all sources move a little."""
         x = self._vector(vector, self.shape[1], "columns")
-        return np.bincount(self.rows, self.data * x[self.indices], self.shape[0])
+        return np.bincount(self.rows, self.data * x[self.indices], self.shape[0]).astype(float)
 
     def transposed(self, vector: ArrayLike) -> NDArray[float64]:
         """The product of the transpose with a vector: the gradient of a weighted sum of the results.
@@ -57,7 +57,7 @@ class Sparse(NamedTuple):
         array([62.])
         """
         y = self._vector(vector, self.shape[0], "rows")
-        return np.bincount(self.indices, self.data * y[self.rows], self.shape[1])
+        return np.bincount(self.indices, self.data * y[self.rows], self.shape[1]).astype(float)
 
     def toarray(self) -> NDArray[float64]:
         """All entries, zeros too.
@@ -76,7 +76,7 @@ class Sparse(NamedTuple):
         Raises ImportError without SciPy.
         """
         try:
-            from scipy.sparse import csr_array
+            from scipy.sparse import csr_array  # type: ignore[import-untyped]
         except ImportError as missing:
             raise ImportError("Sparse.scipy needs SciPy: pip install scipy") from missing
         return csr_array((self.data, self.indices, self.indptr), shape=self.shape)

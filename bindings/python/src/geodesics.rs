@@ -258,8 +258,12 @@ fn named<'py, A: pyo3::call::PyCallArgs<'py>>(
 }
 
 fn pair(argument: &str, object: Any) -> PyResult<[f64; 2]> {
-    let numbers = reals(argument, object, 2)?;
-    Ok([numbers[0], numbers[1]])
+    match reals(argument, object, 2)?[..] {
+        [u, v] => Ok([u, v]),
+        ref numbers => {
+            fail(&Error::shape(argument, format!("{} numbers", numbers.len()), "2 parameters"))
+        }
+    }
 }
 
 fn options(accuracy: Option<Any>, seams: Option<Any>) -> PyResult<GeodesicOptions> {

@@ -53,7 +53,7 @@ use crate::shapes;
 /// (<pforms.Form pS44 in 3D>, True)
 /// >>> net = pf.Form([[(x, y, x * y) for y in (0, 1, 3)] for x in (0, 1, 3)])
 /// >>> pf.minimal(net, kind="laplace").poles[1, 1]
-/// array([1.  , 1.  , 1.5 ])
+/// array([1.25, 1.25, 1.5 ])
 #[pyfunction]
 #[pyo3(
     signature = (*boundary, kind=None, orders=None, sides=None, keep=None, accuracy=None, report=None),

@@ -133,7 +133,7 @@ macro_rules! methods {
 
             /// The volume of a form or of a closed surface: :func:`volume`.
             ///
-            /// >>> pf.cube((0, 0, 0), (1, 2, 3)).volume()
+            /// >>> pf.cube(2, (1, 2, 3)).volume()
             /// 6.0
             #[pyo3(
                 signature = (*, signed=None, accuracy=None, report=None),

@@ -1,11 +1,11 @@
-"""Areas, volumes, centres, boxes, Jacobians, folds and slices, as a Python program asks for them."""
+"""Areas, volumes, centres, boxes, Jacobians, folds and slices, as Python asks for them."""
 
 import numpy as np
 import pytest
 
 import pforms as pf
 
-BRICK = pf.cube((0, 0, 0), (1, 2, 3))
+BRICK = pf.translate(pf.cube(2, (1, 2, 3)), (0.5, 1, 1.5))
 FACES = [BRICK.sub(axis, t) for axis in range(3) for t in (0, 1)]
 
 

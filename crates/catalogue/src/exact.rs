@@ -109,10 +109,10 @@ impl Arithmetic for Rational {
         call.exact
     }
 
-    fn without_routine(_: &'static Operator, _: &Arguments<Self>) -> Value<Self> {
+    fn without_routine(operator: &'static Operator, _: &Arguments<Self>) -> Value<Self> {
         let error = Error::domain("mode", "exact mode", "floating mode");
         let french = "mode : reçu mode exact, attendu mode flottant";
-        use_floating_mode(Failure::of(error, french)).into()
+        use_floating_mode(Failure::of(error, french)).within(operator).into()
     }
 }
 

@@ -163,15 +163,12 @@ impl Operator {
         {
             return failure.clone().into();
         }
-        let value: Value<S> = match S::routine(&self.call) {
-            None => S::without_routine(self, &arguments),
-            Some(routine) => {
-                arguments.bind(self).and_then(|bound| routine(&bound)).and_then(checked).into()
-            }
+        let Some(routine) = S::routine(&self.call) else {
+            return S::without_routine(self, &arguments);
         };
-        match value {
-            Value::Error(failure) => failure.within(self).into(),
-            value => value,
+        match arguments.bind(self).and_then(|bound| routine(&bound)).and_then(checked) {
+            Ok(value) => value,
+            Err(failure) => failure.within(self).into(),
         }
     }
 }

@@ -88,7 +88,7 @@ impl Arithmetic for Traced {
     fn without_routine(operator: &'static Operator, arguments: &Arguments<Self>) -> Value<Self> {
         match arguments.map(plain) {
             Some(arguments) => traced(&operator.call(arguments)),
-            None => no_derivative().into(),
+            None => no_derivative().within(operator).into(),
         }
     }
 }

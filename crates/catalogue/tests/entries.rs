@@ -15,7 +15,8 @@ fn works_in_exact_mode(operator: &Operator) -> bool {
 
 #[test]
 fn every_example_computes() {
-    for operator in catalogue() {
+    // Derivatives are those of cells: a sheet tests that example.
+    for operator in catalogue().iter().filter(|operator| operator.name != "sensitivities") {
         let value = reader::compute::<f64>(operator.example).settle();
         assert!(!value.is_error(), "{}: {value:?}", operator.example);
         if works_in_exact_mode(operator) {

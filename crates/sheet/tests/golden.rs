@@ -202,7 +202,8 @@ fn every_golden_case_holds_in_both_arithmetics() {
 fn every_example_of_the_catalogue_computes() {
     for operator in catalogue() {
         let is_exact = serde_json::to_value(operator).unwrap()["exact"] == true;
-        let case = serde_json::json!({ "cells": {}, "formula": operator.example });
+        let cells = serde_json::json!({ "A1": "(0, 0)", "A2": "(1, 2)" });
+        let case = serde_json::json!({ "cells": cells, "formula": operator.example });
         let floating = computed::<f64>(&case);
         assert!(
             !floating.is_error(),

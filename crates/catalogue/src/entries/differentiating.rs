@@ -1,11 +1,11 @@
 //! Derivatives of any cell in any other.
 
-use pforms_kernel::{Error, Rational};
+use pforms_kernel::Error;
 
 use super::{Outcome, PLAIN};
 use crate::operator::{Group, call};
 use crate::words::words;
-use crate::{Arithmetic, Bound, Failure, Language, Operator, Parameter, Takes};
+use crate::{Bound, Failure, Language, Operator, Parameter, Takes};
 
 pub(super) static ENTRIES: &[Operator] = &[Operator {
     name: "sensitivities",
@@ -45,12 +45,12 @@ pub(super) static ENTRIES: &[Operator] = &[Operator {
     example: "=D(MI(A1, A2), A1)",
     source: "catalogue 7; Griewank and Walther 2008",
     see: &["explain", "derivative"],
-    call: call!(sensitivities),
+    call: call!(floating sensitivities),
     ..PLAIN
 }];
 
 /// Only a sheet knows what lies between two cells.
-fn sensitivities<S: Arithmetic>(a: &Bound<S>) -> Outcome<S> {
+fn sensitivities(a: &Bound<f64>) -> Outcome<f64> {
     let source = a.value(1);
     let (en, fr) = (source.kind(Language::English), source.kind(Language::French));
     let error = Error::shape("source", format!("a {en}"), "a cell, a name or a range");

@@ -76,7 +76,7 @@ pub(super) static ENTRIES: &[Operator] = &[
         ),
         parameters: &[FORMS, SIGNED, ACCURACY, part("area", AREA_PARTS)],
         gives: Takes::Number,
-        example: "=AREA([[(0, 0, 0), (0, 1, 0)], [(1, 0, 0), (1, 1, 1)]])",
+        example: "=AREA(SPHERE(1))",
         source: "catalogue 7; Trefethen 2013, chapter 19",
         see: &["arc_length", "volume", "centroid"],
         call: Call {
@@ -189,7 +189,7 @@ pub(super) static ENTRIES: &[Operator] = &[
         gives: Takes::Record,
         example: "=BOX([(0, 0), (1, 2), (2, 0)])",
         source: "catalogue 7",
-        see: &["area", "poles"],
+        see: &["area", "pole"],
         call: call!(floating bounding_box),
         ..INSIDE
     },
