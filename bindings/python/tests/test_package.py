@@ -77,6 +77,8 @@ print(*sorted(set(sys.modules) - before))
         "pforms.errors",
         "pforms.files",
         "pforms.records",
+        "pforms.sensitivity",
+        "pforms.sparse",
     }
 
 
