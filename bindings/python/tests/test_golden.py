@@ -223,6 +223,13 @@ def folded(f, part=None):
     return found[part] if part else found
 
 
+def two_thirds(*given):
+    """Two points are a net in a sheet."""
+    found = pf.thirds(*given)
+    points = all(isinstance(form, pf.Form) and form.orders == () for form in found)
+    return pf.Form([point.poles for point in found]) if points else found
+
+
 # How the arguments of a golden case are handed over: `f` a form, then what the operator takes.
 CALLS = {
     "affine_matrix": pf.affine_matrix,
@@ -232,7 +239,7 @@ CALLS = {
     "iterate": pf.iterate,
     "peano": lambda *given: pf.peano(*given).net,
     "random_points": pf.random_points,
-    "thirds": pf.thirds,
+    "thirds": two_thirds,
     "common": solid(pf.common),
     "difference": solid(pf.difference),
     "union": solid(pf.union),

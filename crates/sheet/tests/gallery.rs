@@ -27,7 +27,7 @@ fn leaves_fractions(source: &str) -> bool {
         .filter(|entry| serde_json::to_value(entry).is_ok_and(|entry| entry["exact"] == false));
     let mut names = rounding.flat_map(|entry| entry.english.iter().chain(entry.french));
     names.any(|name| source.contains(&format!("{name}(")))
-        || ["SQRT(", "RACINE(", "COS(", "SIN(", "TAN(", "RADIANS(", "PI"]
+        || ["SQRT(", "RACINE(", "COS(", "SIN(", "TAN(", "RADIANS(", "PI", "\"AREA\""]
             .iter()
             .any(|call| source.contains(call))
 }

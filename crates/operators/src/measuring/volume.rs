@@ -55,9 +55,9 @@ pub fn volume(shapes: &[Shape], signed: bool, accuracy: f64) -> Result<Measure> 
 /// use pforms_kernel::{Form, Rational, Scalar};
 /// use pforms_operators::volume_exact;
 /// // The square with one corner drawn out to (2, 2).
-/// let corners = [0, 0, 0, 1, 1, 0, 2, 2].map(Rational::from_integer);
+/// let corners = [0, 0, 0, 1, 1, 0, 2, 2].map(<Rational as Scalar>::from_integer);
 /// let square = Form::from_points(&[2, 2], 2, &corners, None)?;
-/// assert_eq!(volume_exact(&[square.into()], true)?, Rational::from_integer(2));
+/// assert_eq!(volume_exact(&[square.into()], true)?, Rational::ratio(2, 1));
 /// # Ok::<(), pforms_kernel::Error>(())
 /// ```
 pub fn volume_exact<S: Scalar>(shapes: &[Shape<S>], signed: bool) -> Result<S> {

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use pforms_operators::{
-    Folding, Measure, Shape, Spline, area, bounding_box, folds, measure, volume,
+    Folding, Measure, Shape, Spline, area, bounding_box, folds, measure, signed_area, volume,
 };
 use pforms_testkit::models::{bembel, document, gismo, mfem, text};
 
@@ -76,6 +76,12 @@ fn geometries_of_gismo() {
             let size = value["measure"].as_f64().unwrap();
             let uncertain = value["measure_uncertainty"].as_f64().unwrap() + 1e-13 * size;
             match found {
+                // Its determinant changes sign near the border, and the number is the sum with signs.
+                Ok(found) if file.ends_with("lake.xml") => {
+                    let signed = signed_area(&[shape], ACCURACY).unwrap();
+                    assert!((signed.value - size).abs() <= signed.error + uncertain, "{signed:?}");
+                    assert!(found.value > signed.value);
+                }
                 Ok(found) => assert_is(found, size, uncertain, file),
                 // Folded or sharp: known less well.
                 Err(error) => {

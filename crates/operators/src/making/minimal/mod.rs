@@ -78,10 +78,10 @@ impl<S> Default for MinimalOptions<S> {
 /// ```
 /// use pforms_kernel::{Form, Rational, Scalar};
 /// use pforms_operators::{Functional, MinimalOptions, extremal};
-/// let frame = [0, 1, 0, 1, 9, 1, 0, 1, 0].map(|z| Rational::from_integer(z));
+/// let frame = [0, 1, 0, 1, 9, 1, 0, 1, 0].map(<Rational as Scalar>::from_integer);
 /// let frame: Form<Rational> = Form::from_points(&[3, 3], 1, &frame, None)?;
 /// let film = extremal(&[frame.into()], Functional::Laplace, &MinimalOptions::default())?;
-/// assert_eq!(film.net().pole(&[1, 1])?[0], Rational::from_integer(1));
+/// assert_eq!(film.net().pole(&[1, 1])?[0], Rational::ratio(1, 1));
 /// # use pforms_operators::Poles;
 /// # Ok::<(), pforms_kernel::Error>(())
 /// ```
