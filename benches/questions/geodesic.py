@@ -1,7 +1,8 @@
 """Geodesics of a quarter of the outer half of a torus, to 1e-10.
 
-Each starts near the middle of the patch and stays on it. The truth is the equation of geodesics in the two angles
-of the torus, integrated with small steps of order 4; the peers that know no forms solve that too.
+Each starts near the middle of the patch and stays on it. The truth is the equation of geodesics in
+the two angles of the torus, integrated with small steps of order 4; the peers that know no forms
+solve that too.
 """
 
 from __future__ import annotations

@@ -1,7 +1,8 @@
 """All crossings of pairs of plane Bézier curves of degree 3, 5 and 8.
 
-One curve runs along x, the other along y, each with random poles: they cross once to many times. Only
-pairs whose crossings are clear are asked (apart, at an angle, inside), so that a count is right or wrong.
+One curve runs along x, the other along y, each with random poles: they cross once to many times.
+Only pairs whose crossings are clear are asked (apart, at an angle, inside), so that a count is
+right or wrong.
 """
 
 from __future__ import annotations
@@ -76,7 +77,8 @@ def pairs(degree: int, count: int) -> tuple[Array, Array, list[Array]]:
     """Poles of pairs with clear crossings, and these."""
     rng = np.random.default_rng(degree)
     along = np.linspace(0.0, 1.0, degree + 1)
-    first, second, truth = [], [], []
+    first, second = [], []
+    truth: list[Array] = []
     while len(truth) < count:
         near, far = rng.uniform(-0.1, 0.1, (2, degree + 1)), rng.uniform(-0.5, 1.5, (2, degree + 1))
         a = np.stack([along + near[0], far[0]], axis=-1)

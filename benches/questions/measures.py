@@ -1,8 +1,8 @@
 """Areas of bicubic patches, volumes of triquadratic forms, and least boxes, one call for each.
 
-Ours are proved to 1e-12; those of the peers are taken at what they offer: 24 nodes of Gauss in NumPy,
-which are enough for these forms and prove nothing, adaptive cubature in SciPy to 1e-10, the properties of
-OpenCASCADE to 1e-10, splinepy's quadrature of its own choice.
+Ours are proved to 1e-12; those of the peers are taken at what they offer: 24 nodes of Gauss in
+NumPy, which are enough for these forms and prove nothing, adaptive cubature in SciPy to 1e-10, the
+properties of OpenCASCADE to 1e-10, splinepy's quadrature of its own choice.
 """
 
 from __future__ import annotations

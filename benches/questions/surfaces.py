@@ -1,7 +1,8 @@
 """Where two bicubic surfaces cross: all branches, for many pairs.
 
 Both are graphs over one square, the second tilted. Every branch must lie on both surfaces, and
-every pair must have the length of its branches, which the truth adds up in the cells of a fine grid.
+every pair must have the length of its branches, which the truth adds up in the cells of a fine
+grid.
 """
 
 from __future__ import annotations
@@ -39,7 +40,8 @@ def question(variant: str, count: int) -> Question:
         return Work(lambda: pf.intersect_many(firsts, seconds), read)
 
     def sampled(curve: Native) -> Array:
-        return cast("Array", curve(np.linspace(*curve.window[0], SAMPLES)))
+        start, end = curve.window[0]
+        return cast("Array", curve(np.linspace(start, end, SAMPLES)))
 
     def occt(_: int) -> Work:
         from OCP.GeomAPI import GeomAPI_IntSS

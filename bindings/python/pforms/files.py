@@ -76,7 +76,7 @@ def draw(
     camera: dict[str, Any] | None = None,
     **style: Any,  # noqa: ANN401
 ) -> None:
-    """Draws forms, meshes, a sheet or a file of forms into ``.glb``, ``.obj``, ``.stl`` or ``.pov``.
+    """Draws forms, meshes, a sheet or a file into ``.glb``, ``.obj``, ``.stl`` or ``.pov``.
 
     Parameters
     ----------

@@ -26,8 +26,8 @@ def sensitivities(result: str, source: str, /, **values: Form | float | str) -> 
     Returns
     -------
     Sparse
-        A row for each number of the result, a column for each number of the source. The numbers of a
-        form are the coordinates and the weight of each pole, in the order of the poles.
+        A row for each number of the result, a column for each of the source. The numbers of a form
+        are the coordinates and the weight of each pole, in the order of the poles.
 
     Raises
     ------

@@ -8,6 +8,8 @@ from pforms._pforms import common, difference, union
 from pforms.errors import DomainError
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from pforms.records import Mesh, Solid
 
 _OPERATIONS = {"union": union, "difference": difference, "common": common}
@@ -46,5 +48,5 @@ def boolean(
     """
     if op not in _OPERATIONS:
         raise DomainError(f'op: received {op!r}, expected "union", "difference" or "common"')
-    result: Mesh | Solid = _OPERATIONS[op](a, b, accuracy=accuracy, report=report)
-    return result
+    operation: Callable[..., Mesh | Solid] = _OPERATIONS[op]
+    return operation(a, b, accuracy=accuracy, report=report)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from importlib import import_module
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -33,6 +34,7 @@ class Sparse(NamedTuple):
     """Rows and columns."""
 
     def __repr__(self) -> str:
+        """The size: ``<pforms.Sparse 3×6, 10 entries>``."""
         rows, columns = self.shape
         return f"<pforms.Sparse {rows}×{columns}, {self.data.size} entries>"
 
@@ -51,7 +53,7 @@ class Sparse(NamedTuple):
         return np.bincount(self.rows, self.data * x[self.indices], self.shape[0]).astype(float)
 
     def transposed(self, vector: ArrayLike) -> NDArray[float64]:
-        """The product of the transpose with a vector: the gradient of a weighted sum of the results.
+        """The transpose times a vector: the gradient of a weighted sum of the results.
 
         >>> pf.sensitivities("[2*x, x^2]", "x", x=3).transposed([1, 10])
         array([62.])
@@ -70,16 +72,16 @@ class Sparse(NamedTuple):
         dense[self.rows, self.indices] = self.data
         return dense
 
-    def scipy(self) -> Any:
+    def scipy(self) -> Any:  # noqa: ANN401
         """The same matrix as a ``scipy.sparse.csr_array``.
 
         Raises ImportError without SciPy.
         """
         try:
-            from scipy.sparse import csr_array  # type: ignore[import-untyped]
+            sparse = import_module("scipy.sparse")
         except ImportError as missing:
             raise ImportError("Sparse.scipy needs SciPy: pip install scipy") from missing
-        return csr_array((self.data, self.indices, self.indptr), shape=self.shape)
+        return sparse.csr_array((self.data, self.indices, self.indptr), shape=self.shape)
 
     @staticmethod
     def _vector(vector: ArrayLike, length: int, what: str) -> NDArray[float64]:

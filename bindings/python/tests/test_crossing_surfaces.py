@@ -19,7 +19,8 @@ def test_a_branch_is_three_curves_over_one_parameter():
     moved = pf.translate(ball, (1, 0, 0))
     found = pf.intersect(ball, moved)
     (branch,) = found.curves
-    assert branch.closed and not branch.tangent
+    assert branch.closed
+    assert not branch.tangent
     ((start, end),) = branch.curve.window
     assert end - start == pytest.approx(math.pi * math.sqrt(3), rel=1e-9)
     at = np.linspace(start, end, 101)[1:-1]
@@ -45,12 +46,18 @@ def test_many_pairs_in_one_call():
 
 
 def test_touching_is_said():
-    found = pf.intersect(pf.torus(2, 1), pf.Form([[(-4, 1, -4), (-4, 1, 4)], [(4, 1, -4), (4, 1, 4)]]))
+    found = pf.intersect(
+        pf.torus(2, 1), pf.Form([[(-4, 1, -4), (-4, 1, 4)], [(4, 1, -4), (4, 1, 4)]])
+    )
     (branch,) = found.curves
-    assert branch.tangent and branch.closed and not found.complete
+    assert branch.tangent
+    assert branch.closed
+    assert not found.complete
     whole = graph(3)
     same = pf.intersect(whole, whole)
-    assert len(same.overlaps) == 1 and not same.curves and not same.complete
+    assert len(same.overlaps) == 1
+    assert not same.curves
+    assert not same.complete
 
 
 def test_what_is_no_surface_is_refused():

@@ -50,7 +50,8 @@ NAMES = [
     "Immersed",
     "cube", "extrude", "facet", "line", "ruled", "symmetric",
     "mirror", "project_to_plane", "rotate", "scale", "shear", "transform", "translate",
-    "geodesic", "geodesic_between", "is_developable", "offset_poles", "parallel", "shell", "tangent_developable", "unroll",
+    "geodesic", "geodesic_between",
+    "is_developable", "offset_poles", "parallel", "shell", "tangent_developable", "unroll",
 ]  # fmt: skip
 KEYWORDS = [
     "axes",

@@ -28,6 +28,7 @@ def test_names_are_there_once_and_in_order():
         "files",
         "records",
         "sensitivity",
+        "solids",
         "sparse",
     }
     assert public <= set(pf.__all__)
@@ -78,6 +79,7 @@ print(*sorted(set(sys.modules) - before))
         "pforms.files",
         "pforms.records",
         "pforms.sensitivity",
+        "pforms.solids",
         "pforms.sparse",
     }
 
