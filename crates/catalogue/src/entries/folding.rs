@@ -32,7 +32,7 @@ pub(super) static ENTRIES: &[Operator] = &[
         parameters: &[FORM],
         example: "=JACOBIAN([[(0, 0), (0, 1)], [(1, 0), (2, 2)]])",
         source: "catalogue 7",
-        see: &["folds", "volume", "derivative"],
+        see: &["is_injective", "volume", "derivative"],
         call: call!(jacobian),
         ..INSIDE
     },

@@ -76,7 +76,7 @@ pub(super) static ENTRIES: &[Operator] = &[
         ),
         parameters: &[FORMS, SIGNED, ACCURACY, part("area", AREA_PARTS)],
         gives: Takes::Number,
-        example: "=AREA(SPHERE(1))",
+        example: "=AREA(FACET([2, 2], [3, 2], 2))",
         source: "catalogue 7; Trefethen 2013, chapter 19",
         see: &["arc_length", "volume", "centroid"],
         call: Call {
