@@ -106,7 +106,7 @@ pub(super) static ENTRIES: &[Operator] = &[
         ),
         parameters: &[FORMS, SIGNED, ACCURACY, part("volume", VOLUME_PARTS)],
         gives: Takes::Number,
-        example: "=VOLUME(SPHERE(1, part = \"pieces\"))",
+        example: "=VOLUME(CUBE(2, [1, 2, 3]))",
         source: "catalogue 7; Gauss's theorem",
         see: &["area", "centroid", "jacobian"],
         call: Call {
