@@ -132,7 +132,9 @@ fn splines_hand_points_from_piece_to_piece() {
         let mut lists = scattered(&mut random, 3, 600);
         for (axis, list) in lists.iter_mut().enumerate() {
             let (from, to) = spline.window(axis).unwrap();
-            list.iter_mut().for_each(|t| *t = from + *t * (to - from));
+            for t in list.iter_mut() {
+                *t = from + *t * (to - from);
+            }
             list[0] = spline.breaks()[axis][1];
         }
         assert_found(&spline.into(), &lists, 1e-12);
@@ -166,7 +168,7 @@ fn points_outside_are_reported_and_stay() {
         for (i, point) in points.chunks_exact(axes).enumerate() {
             assert!(found.complete[i]);
             if found.standings[i] == Standing::Inside {
-                assert!(found.residuals[i] < 1e-12)
+                assert!(found.residuals[i] < 1e-12);
             } else {
                 outside += 1;
                 assert_eq!(&moved[i * axes..(i + 1) * axes], point);

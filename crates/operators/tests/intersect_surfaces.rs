@@ -1,5 +1,7 @@
 //! Surfaces that meet: lengths known in closed form, every way to touch, and what must not be said.
 
+#![allow(clippy::unwrap_used, clippy::expect_used)]
+
 use pforms_kernel::{Form, Result};
 use pforms_operators::{
     Branch, ContactKind, Intersections, Part, Poles, Shape, cone, cylinder, intersect, scale,
