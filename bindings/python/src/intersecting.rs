@@ -12,7 +12,7 @@ use pyo3::types::{PyDict, PyTuple};
 
 use crate::arguments::real;
 use crate::arrays::Numbers;
-use crate::errors::{done, fail, mistyped, raised};
+use crate::errors::{LimitError, done, fail, mistyped, raised};
 use crate::form::PyForm;
 use crate::outputs::array;
 use crate::shapes::read;
@@ -151,7 +151,13 @@ fn several(argument: &str, object: &Bound<'_, PyAny>) -> PyResult<Vec<Form>> {
     if let Ok(form) = object.cast::<PyForm>() {
         return Ok(vec![form.get().form.clone()]);
     }
-    if let Ok(numbers) = Numbers::read(argument, object) {
+    let numbers = Numbers::read(argument, object);
+    if let Err(error) = &numbers
+        && error.is_instance_of::<LimitError>(object.py())
+    {
+        return Err(error.clone_ref(object.py()));
+    }
+    if let Ok(numbers) = numbers {
         let &[count, order, ambient] = numbers.shape() else {
             let received = format!("an array of shape {:?}", numbers.shape());
             return fail(&Error::shape(argument, received, "shape (n, order, c)"));
