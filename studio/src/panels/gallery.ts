@@ -26,12 +26,17 @@ export interface GalleryEvents {
   picture(sheet: Pictured): Promise<string | null>;
 }
 
+interface Waiting {
+  image: HTMLImageElement;
+  sheet: Pictured;
+}
+
 /** Sheets to start from: the figures of the book, and one's own earlier sheets. */
 export class Gallery {
   private readonly dialog = new Dialog("gallery", "gallery");
   readonly root = this.dialog.root;
 
-  private waiting: { image: HTMLImageElement; sheet: Pictured }[] = [];
+  private waiting: Waiting[] = [];
 
   constructor(private readonly events: GalleryEvents) {}
 
@@ -39,25 +44,32 @@ export class Gallery {
     const kept = await keptSheets().catch(() => []);
     const parts: HTMLElement[] = [];
     this.waiting = [];
+    if (kept.length > 0) {
+      parts.push(el("h3", {}, t("yours")), el("ul", { class: "cards" }, ...kept.map((one) => this.own(one))));
+    }
     for (const [chapter, figures] of groups(FIGURES)) {
       const heading = chapter === null ? t("groupExamples") : t("groupChapter", { n: String(chapter) });
       parts.push(el("h3", {}, heading), el("ul", { class: "cards" }, ...figures.map((one) => this.card(one))));
-    }
-    if (kept.length > 0) {
-      parts.splice(0, 0, el("h3", {}, t("yours")), el("ul", { class: "cards" }, ...kept.map((one) => this.own(one))));
     }
     this.dialog.show(...(parts.length > 0 ? parts : [el("p", {}, t("galleryEmpty"))]));
     await this.paint();
   }
 
-  /** Fills in the pictures one after another, while the gallery is open. */
+  /** Fills in the pictures one after another while the gallery is open, those in sight before the others. */
   private async paint(): Promise<void> {
     const { waiting } = this;
-    for (const { image, sheet } of waiting) {
-      if (!this.root.open || waiting !== this.waiting) return;
+    while (waiting.length > 0 && this.root.open && waiting === this.waiting) {
+      const inSight = waiting.findIndex(({ image }) => this.shows(image));
+      const [{ image, sheet }] = waiting.splice(Math.max(inSight, 0), 1) as [Waiting];
       const address = await this.events.picture(sheet);
       if (address) image.src = address;
     }
+  }
+
+  private shows(image: HTMLImageElement): boolean {
+    const frame = this.root.getBoundingClientRect();
+    const { top, bottom } = image.getBoundingClientRect();
+    return bottom > frame.top && top < frame.bottom;
   }
 
   private image(sheet: Pictured): HTMLImageElement {
