@@ -9,7 +9,17 @@ import pytest
 
 import pforms as pf
 
-MODULES = ["pforms", "pforms.either", "pforms.errors", "pforms.files", "pforms.records"]
+MODULES = [
+    "pforms",
+    "pforms.either",
+    "pforms.errors",
+    "pforms.files",
+    "pforms.records.drawn",
+    "pforms.records.geodesics",
+    "pforms.records.made",
+    "pforms.records.measures",
+    "pforms.records.searches",
+]
 CLASSES = [pf.Form, pf.Spline, pf.Immersed, pf.Sheet]
 
 
