@@ -1,7 +1,11 @@
 //! The kernel's errors as Python exceptions, and the one door through which work is done.
 
+use std::cell::Cell;
 use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::rc::Rc;
+use std::time::{Duration, Instant};
 
+use pforms_kernel::stopping::stoppable;
 use pforms_kernel::{Error, Fault, Result};
 use pyo3::prelude::*;
 use pyo3::types::PyType;
@@ -18,6 +22,9 @@ pyo3::import_exception!(pforms.errors, LimitError);
 /// Multiplications below which giving the lock away costs more than it brings.
 const LOCK_WORTH: usize = 1 << 14;
 
+/// How long a signal may wait: taking the lock to look for one costs something too.
+const PATIENCE: Duration = Duration::from_millis(50);
+
 /// The exception of the same name.
 pub(crate) fn raised(error: &Error) -> PyErr {
     let message = error.to_string();
@@ -28,6 +35,7 @@ pub(crate) fn raised(error: &Error) -> PyErr {
         Error::Accuracy(_) => AccuracyError::new_err(message),
         Error::Format { .. } => FormatError::new_err(message),
         Error::Limit { .. } => LimitError::new_err(message),
+        Error::Stopped => PformsError::new_err(message),
     }
 }
 
@@ -40,15 +48,32 @@ pub(crate) fn done<T: Send>(
     cost: usize,
     job: impl FnOnce() -> Result<T> + Send,
 ) -> PyResult<T> {
-    let job = AssertUnwindSafe(job);
-    let outcome =
-        if cost < LOCK_WORTH { catch_unwind(job) } else { py.detach(|| catch_unwind(job)) };
+    let job = || catch_unwind(AssertUnwindSafe(job));
+    let outcome = if cost < LOCK_WORTH { job() } else { py.detach(|| interruptible(job))? };
     match outcome {
         Ok(result) => result.map_err(|error| raised(&error)),
         Err(_) => Err(PformsError::new_err(
             "a defect of pforms, not of the call: please report it with the call that caused it",
         )),
     }
+}
+
+/// Does a job that ends when Python has a signal to handle, with what the signal raises.
+fn interruptible<T>(job: impl FnOnce() -> T) -> PyResult<T> {
+    let raised = Rc::new(Cell::new(None));
+    let (heard, last) = (Rc::clone(&raised), Cell::new(Instant::now()));
+    let asked = move || {
+        if last.get().elapsed() < PATIENCE {
+            return false;
+        }
+        let signals = Python::attach(|py| py.check_signals());
+        last.set(Instant::now());
+        let stop = signals.is_err();
+        heard.set(signals.err());
+        stop
+    };
+    let (answer, _) = stoppable(asked, job);
+    raised.take().map_or(Ok(answer), Err)
 }
 
 /// The error under the name by which the caller knows the argument.

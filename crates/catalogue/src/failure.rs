@@ -113,6 +113,7 @@ fn prefixed(mut error: Error, name: &str) -> Error {
         | Error::Degenerate(fault)
         | Error::Accuracy(fault) => &mut fault.argument,
         Error::Format { what, .. } | Error::Limit { what, .. } => what,
+        Error::Stopped => return error,
     };
     *subject = format!("{name}, {subject}");
     error

@@ -19,6 +19,7 @@ pub(crate) fn of_error(error: &Error) -> String {
             limit::readable(*bytes),
             limit::readable(*cap)
         ),
+        Error::Stopped => "arrêté de l'extérieur".to_owned(),
     }
 }
 

@@ -54,6 +54,8 @@ pub enum Error {
         /// Bytes allowed.
         cap: u128,
     },
+    /// Whoever had started the work stopped it; see [`crate::stopping`].
+    Stopped,
 }
 
 impl Error {
@@ -103,6 +105,7 @@ impl Error {
             Self::Accuracy(_) => "Accuracy",
             Self::Format { .. } => "Format",
             Self::Limit { .. } => "Limit",
+            Self::Stopped => "Stopped",
         }
     }
 }
@@ -141,6 +144,7 @@ impl fmt::Display for Error {
                 crate::limit::readable(*bytes),
                 crate::limit::readable(*cap)
             ),
+            Self::Stopped => write!(f, "stopped from outside"),
         }
     }
 }

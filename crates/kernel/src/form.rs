@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use smallvec::SmallVec;
 
-use crate::{Error, Kind, Result, Scalar, limit};
+use crate::{Error, Kind, Result, Scalar, limit, stopping};
 
 /// A tensor-product rational Bézier form with any number of axes in a space of any dimension.
 ///
@@ -35,6 +35,8 @@ impl<S: Scalar> Form<S> {
     /// Errors: `Shape` when an order or `ambient` is 0 or the count does not fit; `Domain` when a
     /// number is NaN or infinite; `Limit` above the cap.
     pub fn from_homogeneous(orders: &[usize], ambient: usize, poles: Vec<S>) -> Result<Self> {
+        // Nearly everything that takes long makes forms: here it can be stopped.
+        stopping::check()?;
         let count = checked_count::<S>(orders, ambient, ambient + 1)?;
         if poles.len() != count {
             return Err(Error::shape(

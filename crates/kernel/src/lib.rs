@@ -38,6 +38,7 @@ mod product;
 mod rational;
 mod scalar;
 mod sparse;
+pub mod stopping;
 pub mod threads;
 mod traced;
 mod vector_rows;

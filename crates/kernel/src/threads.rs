@@ -9,7 +9,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, OnceLock, PoisonError};
 use std::thread::{Builder, available_parallelism, scope};
 
-use crate::Result;
+use crate::{Result, stopping};
 
 /// Arithmetic operations below which a part is not worth a thread: half a millisecond or more.
 const GRAIN: usize = 1 << 21;
@@ -79,9 +79,11 @@ fn work_off<P: Send, E: Send>(
         }
         Ok(())
     };
+    let signal = stopping::signal();
+    let helping = || stopping::helping(signal.clone(), work);
     let mut first = Ok(());
     scope(|scope| {
-        let spawn = |_| Builder::new().spawn_scoped(scope, work).ok();
+        let spawn = |_| Builder::new().spawn_scoped(scope, helping).ok();
         let others: Vec<_> = (1..threads).filter_map(spawn).collect();
         let own = work();
         let joined =

@@ -59,14 +59,16 @@ impl Edge {
         Ok(points)
     }
 
-    /// The point an edge has collapsed to, if it has.
+    /// The point an edge has collapsed to, if it has: all poles are multiples of it, and of weight 0
+    /// only the one that is nothing at all.
     pub(crate) fn single_point(&self) -> Option<Vec3> {
-        if self.poles.iter().any(|pole| pole[3] == 0.0) {
-            return None;
-        }
-        let first = project(&self.poles[0]);
+        let first = project(self.poles.iter().find(|pole| pole[3] != 0.0)?);
+        let heaviest = self.poles.iter().fold(0.0_f64, |most, pole| most.max(pole[3].abs()));
         let size = norm(first);
-        let same = |pole| norm(subtract(project(pole), first)) <= ROUNDINGS * size;
+        let same = |pole: &[f64; 4]| match *pole {
+            [x, y, z, 0.0] => norm([x, y, z]) <= ROUNDINGS * size * heaviest,
+            pole => norm(subtract(project(&pole), first)) <= ROUNDINGS * size,
+        };
         self.poles.iter().all(same).then_some(first)
     }
 }

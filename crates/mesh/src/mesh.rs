@@ -211,7 +211,11 @@ impl From<&Triangles> for Mesh {
 /// Of a triangle in any dimension: a side times the height over it.
 fn area([a, b, c]: [&[f64]; 3]) -> f64 {
     let side = |to: &[f64]| -> Vec<f64> { to.iter().zip(a).map(|(x, y)| x - y).collect() };
-    let (p, q) = (side(b), side(c));
+    let (mut p, mut q) = (side(b), side(c));
+    let largest = p.iter().chain(&q).fold(0.0_f64, |most, x| most.max(x.abs()));
+    // A power of two changes no digit; in units of it squares neither overflow nor vanish.
+    let unit = libm::ldexp(1.0, libm::frexp(largest).1.clamp(-1000, 1000));
+    p.iter_mut().chain(&mut q).for_each(|x| *x /= unit);
     let product = |x: &[f64], y: &[f64]| -> f64 { x.iter().zip(y).map(|(x, y)| x * y).sum() };
     let square = product(&p, &p);
     if square == 0.0 {
@@ -220,7 +224,7 @@ fn area([a, b, c]: [&[f64]; 3]) -> f64 {
     // The part of q at right angles to p: no cancellation between products of squares.
     let share = product(&p, &q) / square;
     let height: Vec<f64> = q.iter().zip(&p).map(|(x, y)| x - share * y).collect();
-    (square * product(&height, &height)).sqrt() / 2.0
+    (square * product(&height, &height)).sqrt() / 2.0 * unit * unit
 }
 
 /// The volume of the cones from a point in the middle, which keeps the rounding small.

@@ -7,6 +7,12 @@ use crate::vector::{Vec3, norm, subtract};
 /// The vertices without repetitions, and the triangles between them; triangles that have become
 /// lines are left out, and so are vertices that belong to none.
 pub(crate) fn welded(places: &[Vec3], triangles: &[[u32; 3]]) -> (Vec<Vec3>, Vec<[u32; 3]>) {
+    let (places, triangles, _) = joined(places, triangles, &at_one_place(places));
+    (places, triangles)
+}
+
+/// For each vertex the first one at its place.
+pub(crate) fn at_one_place(places: &[Vec3]) -> Vec<u32> {
     let mut known: HashMap<[u64; 3], u32> = HashMap::new();
     let mut same: Vec<u32> = Vec::with_capacity(places.len());
     for (number, place) in places.iter().enumerate() {
@@ -14,22 +20,24 @@ pub(crate) fn welded(places: &[Vec3], triangles: &[[u32; 3]]) -> (Vec<Vec3>, Vec
         let key = place.map(|x| (x + 0.0).to_bits());
         same.push(*known.entry(key).or_insert(number as u32));
     }
-    joined(places, triangles, &same)
+    same
 }
 
-/// The mesh with every vertex replaced by the one `same` names, then without what nobody needs.
+/// The mesh with every vertex replaced by the one `same` names, then without what nobody needs; and
+/// which triangles were kept.
 pub(crate) fn joined(
     places: &[Vec3],
     triangles: &[[u32; 3]],
     same: &[u32],
-) -> (Vec<Vec3>, Vec<[u32; 3]>) {
+) -> (Vec<Vec3>, Vec<[u32; 3]>, Vec<usize>) {
     let mut number = vec![u32::MAX; places.len()];
-    let (mut kept, mut indices) = (Vec::new(), Vec::new());
-    for corners in triangles {
+    let (mut kept, mut indices, mut numbers) = (Vec::new(), Vec::new(), Vec::new());
+    for (triangle, corners) in triangles.iter().enumerate() {
         let [a, b, c] = corners.map(|vertex| same[vertex as usize]);
         if a == b || b == c || c == a {
             continue;
         }
+        numbers.push(triangle);
         indices.push([a, b, c].map(|vertex| {
             let own = &mut number[vertex as usize];
             if *own == u32::MAX {
@@ -39,7 +47,7 @@ pub(crate) fn joined(
             *own
         }));
     }
-    (kept, indices)
+    (kept, indices, numbers)
 }
 
 /// Points in cells of space, so that those near a place are found quickly.

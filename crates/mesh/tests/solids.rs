@@ -86,9 +86,11 @@ fn volume(solid: &Solid) -> f64 {
     solid.mesh.volume().unwrap()
 }
 
-fn within(solid: &Solid, expected: f64) {
-    let off = (volume(solid) - expected).abs();
-    assert!(off <= solid.volume_error, "{off:e} above {:e}", solid.volume_error);
+/// Within the bound, which is not `most` times as large as it need be.
+fn within(solid: &Solid, expected: f64, most: f64) {
+    let (off, bound) = ((volume(solid) - expected).abs(), solid.volume_error);
+    assert!(off <= bound, "{off:e} above {bound:e}");
+    assert!(bound <= most * off, "{bound:e} for {off:e}, {} times", bound / off);
 }
 
 /// Equal but for the rounding of a sum of a few cones.
@@ -101,11 +103,12 @@ fn two_balls_have_a_lens_together() {
     let lens = truth("two-spheres-1-1-1", "lens_volume");
     let ball = whole_sphere();
     let other = shifted(&ball, [1.0, 0.0, 0.0]);
-    for accuracy in [1e-2, 1e-3, 1e-4] {
+    // What the bound has too much is mostly of second order: it falls with the accuracy.
+    for (accuracy, most) in [(1e-2, 8.0), (1e-3, 4.0), (1e-4, 3.0)] {
         let both = done(Common, &parts(ball.clone()), &parts(other.clone()), accuracy);
-        within(&both, lens);
+        within(&both, lens, most);
         // The box round a ball has a diagonal of twice the root of 3.
-        assert!(both.distance <= 3.5 * accuracy && both.volume_error < 250.0 * accuracy);
+        assert!(both.distance <= 3.5 * accuracy);
     }
 }
 
@@ -114,7 +117,8 @@ fn two_cylinders_cross_in_the_solid_of_steinmetz() {
     let upright = cylinder(2.0);
     let lying = moved(&upright, [[0., 0., 1.], [0., 1., 0.], [-1., 0., 0.]], [0.0; 3]);
     let both = done(Common, &parts(upright), &parts(lying), 1e-4);
-    within(&both, 16.0 / 3.0);
+    // For the sake of the caps the sides are far finer than was asked: what is left is rounding up.
+    within(&both, 16.0 / 3.0, 120.0);
 }
 
 #[test]
@@ -122,7 +126,7 @@ fn a_drilled_ball_is_a_napkin_ring() {
     let ring = truth("coaxial-sphere-cylinder-2-1", "ring_volume");
     let ball = scaled(&whole_sphere(), 2.0);
     let left = done(Difference, &parts(ball), &parts(cylinder(3.0)), 1e-3);
-    within(&left, ring);
+    within(&left, ring, 5.0);
 }
 
 #[test]
@@ -222,7 +226,7 @@ fn patches_may_face_either_way_and_be_cut_differently() {
     for accuracy in [1e-2, 1e-3] {
         let ball = solid(&parts(forms.clone()), accuracy).unwrap();
         assert!(ball.mesh.is_closed());
-        within(&ball, 4.0 / 3.0 * PI);
+        within(&ball, 4.0 / 3.0 * PI, 6.0);
     }
 }
 
@@ -242,7 +246,7 @@ fn a_shell_that_crosses_itself_holds_what_it_is_wound_round() {
     let mut forms = whole_sphere();
     forms.extend(shifted(&whole_sphere(), [1.0, 0.0, 0.0]));
     let both = solid(&parts(forms), 1e-3).unwrap();
-    within(&both, 8.0 / 3.0 * PI - truth("two-spheres-1-1-1", "lens_volume"));
+    within(&both, 8.0 / 3.0 * PI - truth("two-spheres-1-1-1", "lens_volume"), 5.0);
 }
 
 #[test]
@@ -250,6 +254,18 @@ fn a_mirrored_volume_is_a_solid_all_the_same() {
     let mirrored =
         moved(&[cube([0.0; 3], [1.0; 3])], [[-1., 0., 0.], [0., 1., 0.], [0., 0., 1.]], [0.0; 3]);
     assert_eq!(volume(&solid(&parts(mirrored), 1e-3).unwrap()), 1.0);
+}
+
+#[test]
+fn a_full_turn_meets_itself_in_a_wall() {
+    use pforms_operators::{Axis, Part as Turn, circle, revolve_along};
+    let profile = [0., -1., 0., 0.5, -1., 0., 0., 1., 0., 0.5, 1., 0.];
+    let profile = Form::from_points(&[2, 2], 3, &profile, None).unwrap();
+    let turn = circle(&1.0, Turn::Whole).unwrap();
+    let axis = Axis::with_length([0.0; 3], [0.0, 1.0, 0.0], &1.0).unwrap();
+    let drill = revolve_along(&profile.into(), &turn, &axis).unwrap();
+    let drill = solid(&[Part::Shape(drill)], 1e-3).unwrap();
+    within(&drill, PI / 2.0, 15.0);
 }
 
 #[test]
@@ -263,13 +279,18 @@ fn size_and_place_change_nothing() {
         let made = done(Common, &parts(small), &parts(other), 1e-2);
         let volume = volume(&made) / unit / unit / unit;
         assert!((volume - truth("two-spheres-1-1-1", "lens_volume")).abs() < expected.volume_error);
+        assert!((made.volume_error / unit / unit / unit / expected.volume_error - 1.0).abs() < 0.1);
         let again = made.mesh.triangles() == expected.mesh.triangles();
         assert!(again || exponent != 0, "the same twice");
     }
     let far = shifted(&ball, [1e6, -1e6, 1e6]);
     let made = done(Common, &parts(far.clone()), &parts(shifted(&far, [1., 0., 0.])), 1e-2);
-    // Far away other triangles may be chosen: both are within the bound.
-    assert!((volume(&made) - volume(&expected)).abs() < 2.0 * expected.volume_error);
+    // Poles are rounded there to 1e-10, and other triangles may be chosen: each of the two meshes is
+    // within its own bound of one lens.
+    let lens = truth("two-spheres-1-1-1", "lens_volume");
+    let [here, there] = [&expected, &made].map(|solid| (volume(solid) - lens).abs());
+    assert!(here <= expected.volume_error && there <= made.volume_error + 1e-9);
+    assert!((made.volume_error / expected.volume_error - 1.0).abs() < 0.1);
 }
 
 fn refused(body: &[Part]) -> (&'static str, String) {
@@ -331,7 +352,12 @@ fn meshes_are_checked() -> Result<()> {
     for ambient in 2..5 {
         let mut corners = vec![0.0; 3 * ambient];
         (corners[ambient], corners[2 * ambient + 1]) = (3.0, 4.0);
-        assert_eq!(Mesh::new(ambient, corners, vec![[0, 1, 2]])?.area(), 6.0);
+        let mesh = Mesh::new(ambient, corners, vec![[0, 1, 2]])?;
+        assert_eq!(mesh.area(), 6.0);
+        for unit in [2.0_f64.powi(-500), 2.0_f64.powi(500)] {
+            let corners = mesh.vertices().iter().map(|x| x * unit).collect();
+            assert_eq!(mesh.with_vertices(ambient, corners)?.area(), 6.0 * unit * unit);
+        }
     }
     assert_eq!(Mesh::cloud(2, vec![0.0; 4])?.volume().unwrap_err().family(), "Shape");
     Ok(())

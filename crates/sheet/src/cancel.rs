@@ -38,7 +38,7 @@ impl Cancel {
         Self { budget: Some(seconds), ..self }
     }
 
-    /// Stops what runs with this token, between two cells or within a range.
+    /// Stops what runs with this token, between two cells or in one that takes long.
     pub fn cancel(&self) {
         self.flag.store(true, Ordering::Relaxed);
     }

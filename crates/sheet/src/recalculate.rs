@@ -4,6 +4,7 @@ use std::cell::Cell as Flag;
 
 use pforms_catalogue::{Arithmetic, Failure, Value};
 use pforms_formula::Address;
+use pforms_kernel::stopping::stoppable;
 
 use crate::cell::Cost;
 use crate::evaluate::Surroundings;
@@ -70,8 +71,10 @@ impl<S: Arithmetic> Sheet<S> {
             cancel,
             interrupted: Flag::new(false),
         };
-        let value = around.cell(at, &cell.content);
-        if around.interrupted.get() {
+        let token = cancel.clone();
+        let (value, stopped) =
+            stoppable(move || token.is_cancelled(), || around.cell(at, &cell.content));
+        if stopped || around.interrupted.get() {
             return None;
         }
         let seconds = self.clock.zip(start).map(|(clock, start)| clock() - start);

@@ -46,6 +46,32 @@ pub(crate) struct Unseen {
     pub(crate) shares: [f64; 2],
 }
 
+/// How far a surface strays from a triangle that stands for a part of it.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Stray {
+    /// Over its plane.
+    pub(crate) height: f64,
+    /// Over its edges, seen along its normal.
+    pub(crate) over: f64,
+}
+
+impl Stray {
+    /// By a distance of which nothing else is known.
+    pub(crate) fn any_way(distance: f64) -> Self {
+        Self { height: distance, over: distance }
+    }
+
+    /// The same after corners of the triangle were moved.
+    pub(crate) fn moved(self, distance: f64) -> Self {
+        Self { height: self.height + distance, over: self.over + distance }
+    }
+
+    /// The distance from the triangle.
+    pub(crate) fn reach(self) -> f64 {
+        self.height.hypot(self.over)
+    }
+}
+
 /// The surface seen along the normal of a triangle, lengths multiplied by that of a direction.
 #[derive(Default)]
 pub(crate) struct Seen {
@@ -181,6 +207,11 @@ impl Seen {
     /// The distance from the triangle itself.
     pub(crate) fn alone(&self, edge: usize) -> f64 {
         (self.height * self.height + self.over[edge] * self.over[edge]).sqrt()
+    }
+
+    /// Over the plane and over any edge.
+    pub(crate) fn stray(&self) -> Stray {
+        Stray { height: self.height, over: self.over.into_iter().fold(0.0, f64::max) }
     }
 
     /// Does what reaches over an edge count beside the height?

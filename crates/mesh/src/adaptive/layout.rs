@@ -6,7 +6,7 @@
 
 use pforms_kernel::Result;
 
-use super::bound::{Facet, Seen, Unseen, fan_distance};
+use super::bound::{Facet, Seen, Stray, Unseen, fan_distance};
 use super::curvature::{Scratch, restrict};
 use super::field::{CELLS, Field, Profile, integral, spread, total};
 use super::net::{Net, Quadruple, point_at};
@@ -42,6 +42,8 @@ pub(crate) struct Draft {
     pub(crate) parameters: Vec<[f64; 2]>,
     pub(crate) places: Vec<Vec3>,
     pub(crate) triangles: Vec<[u32; 3]>,
+    /// How far the surface strays from each triangle.
+    pub(crate) strays: Vec<Stray>,
     /// The greatest distance from the surface, in tolerances.
     pub(crate) worst: f64,
     wishes: Wishes,
@@ -388,9 +390,7 @@ impl Layout<'_> {
     /// strays from it.
     fn triangle(&mut self, corners: [u32; 3]) -> ([[f64; 2]; 2], Option<Unseen>) {
         let places = corners.map(|k| self.draft.places[k as usize]);
-        if places[0] != places[1] && places[1] != places[2] && places[2] != places[0] {
-            self.draft.triangles.push(corners);
-        }
+        let broad = places[0] != places[1] && places[1] != places[2] && places[2] != places[0];
         let at = corners.map(|k| self.at(k));
         let ranges = [0, 1].map(|axis| range(at.map(|at| at[axis])));
         let [rows, columns] = ranges;
@@ -403,7 +403,15 @@ impl Layout<'_> {
             self.seen.push(Seen::default());
         }
         let seen = &mut self.seen[self.links.len()];
-        (ranges, seen.look(&self.strip.0, columns, &facet, &mut self.scratch))
+        let unseen = seen.look(&self.strip.0, columns, &facet, &mut self.scratch);
+        if broad {
+            self.draft.triangles.push(corners);
+            self.draft.strays.push(match &unseen {
+                Some(unseen) => Stray::any_way(unseen.distance),
+                None => seen.stray(),
+            });
+        }
+        (ranges, unseen)
     }
 
     /// Adds a triangle of a fan between two borders.
@@ -417,7 +425,9 @@ impl Layout<'_> {
         self.restrict_rows(rows);
         let weights = restrict(&self.strip.0, columns, &mut self.scratch);
         let ranges = [rows, columns];
-        let off = fan_distance(&self.strip.0, places, weights, &mut self.scratch) / self.tolerance;
+        let distance = fan_distance(&self.strip.0, places, weights, &mut self.scratch);
+        self.draft.strays.push(Stray::any_way(distance));
+        let off = distance / self.tolerance;
         let growth = off.min(TELLING).sqrt();
         self.note(off, [growth; 2], ranges, [borders[0], self.columns]);
         self.note(off, [growth, 0.0], ranges, [borders[1], self.columns]);

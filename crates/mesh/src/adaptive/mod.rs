@@ -11,7 +11,7 @@ mod net;
 
 use std::collections::HashMap;
 
-use pforms_kernel::{Error, Form, Result};
+use pforms_kernel::{Error, Form, Result, stopping};
 
 use crate::Triangles;
 use crate::apex::collapsed;
@@ -21,6 +21,7 @@ use crate::require_room;
 use crate::sample::Sampled;
 use crate::space::{embed, quadruples, require_axes};
 use crate::vector::Vec3;
+pub(crate) use bound::Stray;
 use field::{CELLS, Field, Profile, spread, total};
 use layout::{Border, Draft, layout};
 use net::Net;
@@ -30,6 +31,15 @@ const PATIENCE: usize = 8;
 
 /// Meshes patches so that every point of them lies within `tolerance` of its mesh.
 pub(crate) fn within(forms: &[Form], tolerance: f64, normals: bool) -> Result<Vec<Triangles>> {
+    Ok(told(forms, tolerance, normals)?.into_iter().map(|(mesh, _)| mesh).collect())
+}
+
+/// Meshes patches as [`within`] does, and tells how far they stray from each triangle.
+pub(crate) fn told(
+    forms: &[Form],
+    tolerance: f64,
+    normals: bool,
+) -> Result<Vec<(Triangles, Vec<Stray>)>> {
     if !(tolerance > 0.0 && tolerance.is_finite()) {
         return Err(Error::domain("tolerance", tolerance, "a positive length"));
     }
@@ -38,9 +48,12 @@ pub(crate) fn within(forms: &[Form], tolerance: f64, normals: bool) -> Result<Ve
     if unit != 1.0 {
         let forms: Vec<Form> =
             forms.iter().map(|form| scaled(form, 1.0 / unit)).collect::<Result<_>>()?;
-        let mut meshes = within(&forms, tolerance / unit, normals)?;
-        for x in meshes.iter_mut().flat_map(|mesh| mesh.positions.as_flattened_mut()) {
-            *x *= unit;
+        let mut meshes = told(&forms, tolerance / unit, normals)?;
+        for (mesh, strays) in &mut meshes {
+            mesh.positions.as_flattened_mut().iter_mut().for_each(|x| *x *= unit);
+            for Stray { height, over } in strays {
+                (*height, *over) = (*height * unit, *over * unit);
+            }
         }
         return Ok(meshes);
     }
@@ -51,9 +64,11 @@ pub(crate) fn within(forms: &[Form], tolerance: f64, normals: bool) -> Result<Ve
         .map(|form| Patch::new(form, tolerance, &mut lines, &mut known))
         .collect::<Result<_>>()?;
     for round in 0.. {
+        stopping::check()?;
         spread_lines(&mut lines, &patches)?;
         let mut done = true;
         for patch in &mut patches {
+            stopping::check()?;
             done &= patch.improve(&lines, tolerance, round)?;
         }
         if done {
@@ -77,7 +92,7 @@ fn unit(forms: &[Form]) -> f64 {
 }
 
 /// The form multiplied by a power of two, which changes no digit.
-fn scaled(form: &Form, factor: f64) -> Result<Form> {
+pub(crate) fn scaled(form: &Form, factor: f64) -> Result<Form> {
     let mut poles = form.homogeneous().to_vec();
     for pole in poles.as_chunks_mut::<4>().0 {
         for x in &mut pole[..3] {
@@ -184,8 +199,8 @@ impl Patch {
         Ok(done)
     }
 
-    fn mesh(&self, normals: bool) -> Result<Triangles> {
-        let Some(draft) = &self.draft else { return Ok(Triangles::default()) };
+    fn mesh(&self, normals: bool) -> Result<(Triangles, Vec<Stray>)> {
+        let Some(draft) = &self.draft else { return Ok(Default::default()) };
         let mut mesh = Triangles {
             positions: draft.places.clone(),
             normals: Vec::new(),
@@ -204,7 +219,7 @@ impl Patch {
             let sampled = Sampled { form: &self.form, collapsed: collapsed(&self.form) };
             mesh.normals = sampled.normals_at(&parameters)?;
         }
-        Ok(mesh)
+        Ok((mesh, draft.strays.clone()))
     }
 }
 

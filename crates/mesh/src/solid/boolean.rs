@@ -1,11 +1,12 @@
 //! Union, difference and common part of closed meshes, by Manifold (E. Lalish; the port of
 //! L. Brubaker): exact decisions, so that the result is closed whatever came in.
 
+use manifold_rust::cancel::CancelToken;
 use manifold_rust::manifold::Manifold;
 use manifold_rust::types::{BooleanEngine, Error as Fault, MeshGL64, OpType, WindingRule};
-use pforms_kernel::{Error, Result};
+use pforms_kernel::{Error, Result, stopping};
 
-use super::Solid;
+use super::Shell;
 use super::bound::{corners, size};
 use crate::Mesh;
 use crate::vector::Vec3;
@@ -24,14 +25,14 @@ pub enum Operation {
 /// Faces nearer than this share of the size may be taken for one.
 const MERGED: f64 = 1e-11;
 
-/// Combines solids, each made of shells; the bounds are those of the combination alone.
-pub(super) fn combined(operation: Operation, solids: &[Vec<Solid>]) -> Result<Solid> {
+/// Combines solids, each made of shells; returns how far a point may have been moved, too.
+pub(super) fn combined(operation: Operation, solids: &[Vec<Shell>]) -> Result<(Mesh, f64)> {
     let unit = Unit::of(solids);
     let mut bodies = Vec::with_capacity(solids.len());
     for shells in solids {
         let mut body = Manifold::empty();
         for shell in shells {
-            body = apply(&body, &unit.body(&shell.mesh)?, OpType::Add)?;
+            body = apply(&body, &unit.body(shell)?, OpType::Add)?;
         }
         bodies.push(body);
     }
@@ -45,11 +46,8 @@ pub(super) fn combined(operation: Operation, solids: &[Vec<Solid>]) -> Result<So
     for body in bodies {
         result = apply(&result, &body, step)?;
     }
-    let mesh = unit.mesh(&result)?;
-    let distance =
-        MERGED * solids.iter().flatten().map(|one| size(&one.mesh.places())).sum::<f64>();
-    let volume_error = 2.0 * distance * mesh.area();
-    Ok(Solid { mesh, distance, volume_error })
+    let merged = MERGED * solids.iter().flatten().map(|shell| size(&shell.places)).sum::<f64>();
+    Ok((unit.mesh(&result)?, merged))
 }
 
 fn apply(first: &Manifold, second: &Manifold, step: OpType) -> Result<Manifold> {
@@ -60,12 +58,21 @@ fn apply(first: &Manifold, second: &Manifold, step: OpType) -> Result<Manifold> 
         _ if first.is_empty() || second.is_empty() => return Ok(Manifold::empty()),
         _ => {}
     }
-    checked(first.boolean_with_engine(second, step, BooleanEngine::Auto))
+    stoppable(|token| {
+        first.boolean_with_engine_and_token(second, step, BooleanEngine::Auto, Some(token))
+    })
+}
+
+/// Work of the library, which knows a token by which it can be stopped.
+fn stoppable(work: impl Fn(&CancelToken) -> Manifold + Sync) -> Result<Manifold> {
+    let token = CancelToken::new();
+    checked(stopping::beside(|| work(&token), || token.cancel()))
 }
 
 fn checked(body: Manifold) -> Result<Manifold> {
     match body.status() {
         Fault::NoError => Ok(body),
+        Fault::Cancelled => Err(Error::Stopped),
         Fault::ResultTooLarge => Err(Error::Limit {
             what: "the combined solid".to_owned(),
             bytes: 1 << 32,
@@ -83,13 +90,12 @@ struct Unit {
 }
 
 impl Unit {
-    fn of(solids: &[Vec<Solid>]) -> Self {
+    fn of(solids: &[Vec<Shell>]) -> Self {
         let places: Vec<Vec3> = solids
             .iter()
             .flatten()
-            .filter_map(|shell| shell.mesh.bounds())
-            .flat_map(|(low, high)| [low, high])
-            .filter_map(|corner| corner.try_into().ok())
+            .filter(|shell| !shell.places.is_empty())
+            .flat_map(|shell| <[Vec3; 2]>::from(corners(&shell.places)))
             .collect();
         if places.is_empty() {
             return Self { centre: [0.0; 3], factor: 1.0 };
@@ -105,20 +111,22 @@ impl Unit {
         Self { centre: if far { middle } else { [0.0; 3] }, factor }
     }
 
-    /// The body of a mesh; where it is wound more than once, or crosses itself, the solid of that.
-    fn body(&self, mesh: &Mesh) -> Result<Manifold> {
+    /// The body of a shell; where it is wound more than once, or crosses itself, the solid of that.
+    fn body(&self, shell: &Shell) -> Result<Manifold> {
+        stopping::check()?;
         let scaled = |(k, x): (usize, &f64)| (x - self.centre[k % 3]) * self.factor;
+        let coordinates = shell.places.as_flattened().iter().enumerate();
         let body = Manifold::from_mesh_gl64_robust(&MeshGL64 {
             num_prop: 3,
-            vert_properties: mesh.vertices().iter().enumerate().map(scaled).collect(),
-            tri_verts: mesh.triangles().as_flattened().iter().map(|k| u64::from(*k)).collect(),
+            vert_properties: coordinates.map(scaled).collect(),
+            tri_verts: shell.triangles.as_flattened().iter().map(|k| u64::from(*k)).collect(),
             ..MeshGL64::default()
         });
         let body = checked(body)?;
-        if !body.has_self_intersections() {
+        if !stopping::beside(|| body.has_self_intersections(), || ()) {
             return Ok(body);
         }
-        checked(body.rebuild_solid(WindingRule::Positive))
+        stoppable(|token| body.rebuild_solid_with_token(WindingRule::Positive, Some(token)))
     }
 
     fn mesh(&self, body: &Manifold) -> Result<Mesh> {

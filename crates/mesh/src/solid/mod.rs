@@ -2,7 +2,10 @@
 
 mod boolean;
 mod bound;
+mod faces;
+mod near;
 mod shell;
+mod skin;
 mod zip;
 
 use pforms_kernel::{Error, Result};
@@ -11,6 +14,7 @@ use pforms_operators::{Poles, Shape};
 use crate::{Mesh, envelope, patches};
 
 pub use boolean::Operation;
+use shell::Shell;
 
 /// What a solid is given as, or a part of it.
 #[derive(Clone, Debug, PartialEq)]
@@ -62,8 +66,9 @@ pub fn solid(body: &[Part], accuracy: f64) -> Result<Solid> {
 ///
 /// Each is given as for [`solid`]. Faces that lie in one plane, solids that touch, are inside each
 /// other or the same, and shells that cross themselves are no exceptions. The result may be
-/// empty. The bound of its volume is the sum of the bounds of all that came in: what a point can
-/// change sides in is the neighbourhood of their surfaces.
+/// empty. Its volume differs from the true one by no more than what is swept over when every surface
+/// becomes its mesh, added up where that decides about the result: per triangle, how high the surface
+/// is over it at most, times the area.
 ///
 /// Errors: as [`solid`]; `Shape` for no solid at all.
 pub fn combine(operation: Operation, bodies: &[Vec<Part>], accuracy: f64) -> Result<Solid> {
@@ -78,16 +83,14 @@ pub fn combine(operation: Operation, bodies: &[Vec<Part>], accuracy: f64) -> Res
         let name = if bodies.len() == 1 { "solid".into() } else { format!("solid {}", number + 1) };
         shells.push(shells_of(body, accuracy, &name)?);
     }
-    let mut result = boolean::combined(operation, &shells)?;
-    for shell in shells.iter().flatten() {
-        result.distance = result.distance.max(shell.distance);
-        result.volume_error += shell.volume_error;
-    }
-    Ok(result)
+    let (mesh, merged) = boolean::combined(operation, &shells)?;
+    let distance = shells.iter().flatten().map(|shell| shell.distance).fold(merged, f64::max);
+    let volume_error = bound::changed(operation, &shells)? + 2.0 * merged * mesh.area();
+    Ok(Solid { mesh, distance, volume_error })
 }
 
 /// The shells of a solid: all its surfaces together, each of its volumes and meshes.
-fn shells_of(body: &[Part], accuracy: f64, name: &str) -> Result<Vec<Solid>> {
+fn shells_of(body: &[Part], accuracy: f64, name: &str) -> Result<Vec<Shell>> {
     let mut surfaces = Vec::new();
     let mut shells = Vec::new();
     for part in body {
@@ -106,10 +109,10 @@ fn shells_of(body: &[Part], accuracy: f64, name: &str) -> Result<Vec<Solid>> {
                 match (net.axes(), shape) {
                     (2, _) => surfaces.extend(shape.pieces()?),
                     (_, Shape::Form(form)) => {
-                        shells.push(shell::of_patches(&envelope(form)?, accuracy, name)?);
+                        shells.push(shell::of_volume(&envelope(form)?, accuracy, name)?);
                     }
                     (_, Shape::Spline(spline)) => {
-                        shells.push(shell::of_patches(&patches(spline)?, accuracy, name)?);
+                        shells.push(shell::of_volume(&patches(spline)?, accuracy, name)?);
                     }
                 }
             }

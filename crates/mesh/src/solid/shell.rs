@@ -1,68 +1,76 @@
 //! Patches and meshes to closed shells that know their outside.
 
 use pforms_kernel::{Error, Form, Result};
+use pforms_operators::{Shape, area};
 
-use super::Solid;
-use super::bound::volume_error;
-use super::zip::zipped;
+use super::faces::{Face, align, ball, without_walls};
+use super::skin::Skin;
+use super::zip::zip;
+use crate::adaptive::{Stray, scaled, told};
 use crate::edges::{borders, open, oriented};
 use crate::mesh::volume_in_units;
-use crate::pieces::{ball, finite_pieces};
-use crate::space::embed;
 use crate::vector::{Vec3, cross, norm, subtract};
 use crate::weld::welded;
-use crate::{Mesh, Sampling, facets, poles, require_room};
+use crate::{Mesh, Sampling, require_room};
 
 /// A volume below this share of size times area is nothing but rounding.
 const FLAT: f64 = 1e-13;
 
-/// Poles this near a line, in sizes of the shell, are on it but for their rounding.
-const ON_A_LINE: f64 = 1e-14;
-
 /// What a sample takes while solids are combined, in samples of a drawing.
 const WORK: usize = 16;
 
+/// How well the area of a surface has to be known.
+const AREA: f64 = 1e-2;
+
+/// A closed shell, its triangles counter-clockwise seen from outside.
+pub(super) struct Shell {
+    pub(super) places: Vec<Vec3>,
+    pub(super) triangles: Vec<[u32; 3]>,
+    /// How far the surface strays from each triangle.
+    pub(super) strays: Vec<Stray>,
+    /// No point of the surface is farther from the mesh than this.
+    pub(super) distance: f64,
+    /// The area of the surface at most, where that is known.
+    pub(super) area: Option<f64>,
+}
+
+/// The shell of the faces of a volume, some of which may lie inside it.
+pub(super) fn of_volume(faces: &[Form], accuracy: f64, name: &str) -> Result<Shell> {
+    let faces = faces.iter().map(Face::of).collect::<Result<_>>()?;
+    of_faces(without_walls(faces), accuracy, name)
+}
+
 /// The shell of patches that meet within half the accuracy, meshed within the other half.
-pub(super) fn of_patches(patches: &[Form], accuracy: f64, name: &str) -> Result<Solid> {
-    let mut pieces = Vec::new();
-    for patch in patches {
-        pieces.extend(finite_pieces(&embed(patch)?)?);
-    }
-    let (_, radius) = ball(&pieces);
-    if radius == 0.0 {
+pub(super) fn of_patches(patches: &[Form], accuracy: f64, name: &str) -> Result<Shell> {
+    of_faces(patches.iter().map(Face::of).collect::<Result<_>>()?, accuracy, name)
+}
+
+fn of_faces(mut faces: Vec<Face>, accuracy: f64, name: &str) -> Result<Shell> {
+    let (centre, radius) = ball(&faces);
+    // Without any face left, all of them were walls.
+    if faces.is_empty() || radius == 0.0 {
         return Err(Error::degenerate(name, "a single point", "a shell with a volume"));
     }
     let tolerance = accuracy * radius;
+    faces.retain(|face| !face.is_curve(centre, radius));
+    let aligned = align(&mut faces, radius)?;
+    let patches: Vec<Form> = faces.into_iter().map(|face| face.form).collect();
     let sampling = Sampling::Tolerance(tolerance);
-    let mut broad = Vec::with_capacity(patches.len());
-    for patch in patches {
-        if !is_line(patch, radius)? {
-            broad.push(patch.clone());
-        }
-    }
-    let patches = &broad[..];
     let mut samples = 0_usize;
-    for patch in patches {
+    for patch in &patches {
         samples = samples.saturating_add(sampling.segments(patch)?.iter().product());
     }
     require_room("the solid", &[WORK, samples])?;
-    let meshes = facets(patches, &sampling)?;
-    let (mut places, mut triangles) = (Vec::new(), Vec::new());
-    for mesh in meshes {
-        let shift = places.len() as u32;
-        places.extend(mesh.positions);
-        triangles.extend(mesh.indices.iter().map(|corners| corners.map(|k| k + shift)));
-    }
-    let (places, triangles) = welded(&places, &triangles);
-    let (places, mut triangles, moved) = zipped(places, triangles, tolerance);
+    let mut skin = Skin::of(told(&patches, tolerance, false)?);
+    zip(&mut skin, tolerance);
+    let Skin { places, mut triangles, strays, moved } = skin;
     require_closed(&places, &borders(&triangles), tolerance, name)?;
     let Some(parts) = oriented(&mut triangles) else {
         return Err(Error::shape(name, "a surface of one side", "a shell with an inside"));
     };
     for part in parts {
         let own: Vec<[u32; 3]> = part.iter().map(|number| triangles[*number]).collect();
-        // What is open by itself is a wall between two parts, such as the ends of a full turn: it
-        // stays as it was given.
+        // What is open by itself is a wall between two parts: it stays as it was given.
         if open(&own).is_empty() && volume_in_units(&places, &own).0 < 0.0 {
             for number in part {
                 triangles[number].swap(1, 2);
@@ -71,26 +79,27 @@ pub(super) fn of_patches(patches: &[Form], accuracy: f64, name: &str) -> Result<
     }
     require_closed(&places, &open(&triangles), tolerance, name)?;
     require_volume(&places, &triangles, name)?;
-    let distance = tolerance + moved;
-    let volume_error = volume_error(&places, &triangles, distance);
-    Ok(Solid { mesh: Mesh::of_space(places, triangles)?, distance, volume_error })
+    let area = area_at_most(&patches, radius)?;
+    let strays = strays.into_iter().map(|stray| stray.moved(aligned)).collect();
+    Ok(Shell { places, triangles, strays, distance: tolerance + moved + aligned, area })
 }
 
-/// Do all poles lie on a line, as those of a face that turns on an axis do? It has no area, and its
-/// neighbours on both sides meet without it.
-fn is_line(patch: &Form, radius: f64) -> Result<bool> {
-    let places = poles(patch)?;
-    let Some(first) = places.first() else { return Ok(false) };
-    let away = |place: &Vec3| subtract(*place, *first).map(|x| x / radius);
-    let far = places.iter().map(away).max_by(|a, b| norm(*a).total_cmp(&norm(*b)));
-    let side = far.unwrap_or_default();
-    Ok(places.iter().all(|place| norm(cross(away(place), side)) <= ON_A_LINE * norm(side)))
+/// The area of patches from above, if it can be had.
+fn area_at_most(patches: &[Form], radius: f64) -> Result<Option<f64>> {
+    // Squares of areas neither overflow nor vanish in units of the size.
+    let unit = libm::ldexp(1.0, libm::frexp(radius).1.clamp(-1000, 1000));
+    let shapes: Vec<Shape> = patches
+        .iter()
+        .map(|patch| scaled(patch, 1.0 / unit).map(Into::into))
+        .collect::<Result<_>>()?;
+    let measured = area(&shapes, AREA).ok();
+    Ok(measured.map(|area| (area.value + area.error) * unit * unit))
 }
 
 /// The shell of a mesh; nothing for an empty one.
 ///
 /// Hollows, which are turned inwards, stay hollow; a mesh that is inside out as a whole is turned.
-pub(super) fn of_mesh(mesh: &Mesh, name: &str) -> Result<Option<Solid>> {
+pub(super) fn of_mesh(mesh: &Mesh, name: &str) -> Result<Option<Shell>> {
     if mesh.ambient() != 3 {
         let received = format!("a mesh in dimension {}", mesh.ambient());
         return Err(Error::shape(name, received, "a closed mesh in space"));
@@ -113,8 +122,8 @@ pub(super) fn of_mesh(mesh: &Mesh, name: &str) -> Result<Option<Solid>> {
         }
     }
     require_volume(&places, &triangles, name)?;
-    let volume_error = volume_error(&places, &triangles, 0.0);
-    Ok(Some(Solid { mesh: Mesh::of_space(places, triangles)?, distance: 0.0, volume_error }))
+    let strays = vec![Stray::default(); triangles.len()];
+    Ok(Some(Shell { places, triangles, strays, distance: 0.0, area: None }))
 }
 
 /// Complains about edges without a neighbour, telling how many there are and where one is.
