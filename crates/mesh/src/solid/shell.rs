@@ -9,6 +9,7 @@ use super::zip::zip;
 use crate::adaptive::{Stray, scaled, told};
 use crate::edges::{borders, open, oriented};
 use crate::mesh::volume_in_units;
+use crate::space::centred;
 use crate::vector::{Vec3, cross, norm, subtract};
 use crate::weld::welded;
 use crate::{Mesh, Sampling, require_room};
@@ -79,18 +80,19 @@ fn of_faces(mut faces: Vec<Face>, accuracy: f64, name: &str) -> Result<Shell> {
     }
     require_closed(&places, &open(&triangles), tolerance, name)?;
     require_volume(&places, &triangles, name)?;
-    let area = area_at_most(&patches, radius)?;
+    let area = area_at_most(&patches, centre, radius)?;
     let strays = strays.into_iter().map(|stray| stray.moved(aligned)).collect();
     Ok(Shell { places, triangles, strays, distance: tolerance + moved + aligned, area })
 }
 
 /// The area of patches from above, if it can be had.
-fn area_at_most(patches: &[Form], radius: f64) -> Result<Option<f64>> {
-    // Squares of areas neither overflow nor vanish in units of the size.
+fn area_at_most(patches: &[Form], centre: Vec3, radius: f64) -> Result<Option<f64>> {
+    // Near the origin nothing cancels; squares of areas neither overflow nor vanish in units of the
+    // size.
     let unit = libm::ldexp(1.0, libm::frexp(radius).1.clamp(-1000, 1000));
     let shapes: Vec<Shape> = patches
         .iter()
-        .map(|patch| scaled(patch, 1.0 / unit).map(Into::into))
+        .map(|patch| Ok(scaled(&centred(patch, centre)?, 1.0 / unit)?.into()))
         .collect::<Result<_>>()?;
     let measured = area(&shapes, AREA).ok();
     Ok(measured.map(|area| (area.value + area.error) * unit * unit))
