@@ -93,3 +93,10 @@ fn several_forms_and_bad_ones() {
     assert_eq!(family(&[], 1e-6), "Shape");
     assert_eq!(family(&[point(0.0)], 0.0), "Domain");
 }
+
+#[test]
+fn axes_of_one_pole_cost_nothing() {
+    let point: Form = Form::from_homogeneous(&[1; 60], 2, vec![3.0, 4.0, 1.0]).unwrap();
+    let found = bounding_box(&[point.into()], 1e-12).unwrap();
+    assert!(found.lower[0] <= 3.0 && found.upper[1] >= 4.0 && found.error < 1e-11);
+}

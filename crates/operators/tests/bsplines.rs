@@ -309,3 +309,55 @@ fn knots_that_will_not_do() {
     assert_eq!(family(quadratic_chain(&poles, &[f64::NAN, 1.0], &1.0)), "Domain");
     assert_eq!(family(cubic_chain(&poles, [&[1.0, 1.0], &[f64::INFINITY, 1.0]])), "Domain");
 }
+
+#[test]
+fn knots_taken_out_together_are_those_taken_out_one_by_one() {
+    let mut random = Random::new(61);
+    for degree in 1..=4 {
+        let poles = random.form::<Rational>(&[degree + 9, 3], 2, Weights::Positive);
+        let rules = [KnotRule::Uniform, KnotRule::Clamped];
+        let spline = bspline(&poles, &[degree, 1], &rules, &[false; 2]).unwrap();
+        let third = |k: i64| Rational::ratio(k, 3);
+        let more: Vec<Rational> = (1..24).filter(|k| k % 3 > 0).map(third).collect();
+        let cut = spline.insert_knots(0, &more).unwrap();
+        let together = remove_knots(&cut, 0, Some(&more), &third(0)).unwrap();
+        let mut single = cut.clone();
+        for knot in &more {
+            single = single.remove_knot(0, knot).unwrap().spline;
+        }
+        assert_eq!((&together.spline, &single), (&spline, &spline));
+        // Knots that are needed: the same poles, and the same error.
+        let all = [third(3), third(6), third(9)];
+        let (mut single, mut error) = (spline.clone(), third(0));
+        for knot in &all {
+            let removal = single.remove_knot(0, knot).unwrap();
+            (single, error) = (removal.spline, error + removal.defect);
+        }
+        let together = remove_knots(&spline, 0, Some(&all), &third(3_000_000)).unwrap();
+        assert_eq!((together.spline, together.error), (single, error));
+    }
+}
+
+#[test]
+fn floating_knots_are_removed_to_the_same_bits() {
+    let mut random = Random::new(67);
+    for weights in [Weights::One, Weights::Positive] {
+        let spline = uniform(&random.form::<f64>(&[40], 3, weights), 3, false);
+        let pieces = spline.bezier().unwrap();
+        let found = remove_knots(&pieces, 0, None, &1e-12).unwrap();
+        let largest = pieces.net().homogeneous().iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+        let (mut single, mut error) = (pieces.clone(), 0.0);
+        let breaks = pieces.breaks().swap_remove(0);
+        for knot in &breaks[1..breaks.len() - 1] {
+            while single.knots()[0].multiplicity(knot) > 0 {
+                let removal = single.remove_knot(0, knot).unwrap();
+                if error + removal.defect > 1e-12 * largest {
+                    break;
+                }
+                (single, error) = (removal.spline, error + removal.defect);
+            }
+        }
+        assert!(single.net().orders()[0] < pieces.net().orders()[0] - 20);
+        assert_eq!((found.spline, found.error), (single, error));
+    }
+}

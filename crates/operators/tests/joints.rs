@@ -265,3 +265,10 @@ fn what_has_no_unit_speed() {
     let facet = Form::from_points(&[2, 2], 1, &[0.0; 4], None).unwrap();
     assert_eq!(family(by_arc_length(Spline::from(facet), 1e-6)), "Shape");
 }
+
+#[test]
+fn a_form_of_many_axes_has_too_many_joints() {
+    let form: Form = Form::from_homogeneous(&[1; 30], 1, vec![1.0; 2]).unwrap();
+    let refused = joints(&form.into(), 0, up_to(2)).unwrap_err();
+    assert_eq!(refused.family(), "Limit");
+}

@@ -82,6 +82,7 @@ pub use scale::{scale, scaling};
 pub use segment::{polyline, segment};
 pub use shear::{shear, shearing};
 pub use spline::{Knots, Located, Poles, Removal, Shape, Spline, midpoint_shapes, stack_shapes};
+pub(crate) use spline::{Pieces, Thinning};
 pub use stack::{midpoint, stack, unstack};
 pub use stretch::{split, stretch, stretch_matrix};
 pub use subdivide::{subdivide, subdivision_matrix};

@@ -1,8 +1,10 @@
 //! The same spline with fewer knots.
 
+use std::cmp::Ordering;
+
 use pforms_kernel::{Error, Result, Scalar};
 
-use crate::algebra::Spline;
+use crate::algebra::{Knots, Spline, Thinning};
 
 /// A spline with fewer knots, and how far its poles are from those it replaces.
 #[derive(Clone, Debug, PartialEq)]
@@ -18,8 +20,9 @@ pub struct Simplified<S = f64> {
 /// every inner knot that can be spared. Knot insertion run backwards.
 ///
 /// A knot can be spared when no homogeneous pole moves by more than `accuracy` times the largest of
-/// their coordinates; the errors of all that are removed stay below that together. With accuracy 0 in
-/// exact arithmetic only what was inserted is removed, and nothing changes.
+/// their coordinates; the errors of all that are removed stay below that together, the smaller knots
+/// first. With accuracy 0 in exact arithmetic only what was inserted is removed, and nothing changes.
+/// The work grows with the number of poles.
 ///
 /// Errors: `Shape` when there is no such axis; `Domain` for a negative accuracy and for what is no
 /// inner knot; `Accuracy` when a given knot is needed.
@@ -44,10 +47,13 @@ pub fn remove_knots<S: Scalar>(
     }
     let largest = spline.net().homogeneous().iter().map(absolute).fold(S::zero(), larger);
     let allowance = largest * accuracy.clone();
-    let mut result = Simplified { spline: spline.clone(), error: S::zero() };
+    let mut left = Left { thinning: Thinning::new(spline, axis)?, error: S::zero(), allowance };
     if let Some(list) = knots {
-        for knot in list {
-            if !result.spare(axis, knot, &allowance)? {
+        for knot in sorted(list, &spline.knots()[axis])? {
+            if left.thinning.advance(knot) == 0 {
+                return Err(no_knot(knot, "an inner knot, no more often than the spline has it"));
+            }
+            if !left.spare(knot)? {
                 return Err(Error::accuracy(
                     "knots",
                     format!("{knot:?}, which the spline needs"),
@@ -58,22 +64,43 @@ pub fn remove_knots<S: Scalar>(
     } else {
         let breaks = spline.knots()[axis].breaks();
         for knot in breaks.iter().skip(1).take(breaks.len().saturating_sub(2)) {
-            while result.spline.knots()[axis].multiplicity(knot) > 0
-                && result.spare(axis, knot, &allowance)?
-            {}
+            while left.thinning.advance(knot) > 0 && left.spare(knot)? {}
         }
     }
-    Ok(result)
+    Ok(Simplified { spline: left.thinning.finish()?, error: left.error })
 }
 
-impl<S: Scalar> Simplified<S> {
+/// The knots in their order, if all are within the window.
+fn sorted<'a, S: Scalar>(list: &'a [S], knots: &Knots<S>) -> Result<Vec<&'a S>> {
+    let (from, to) = knots.window();
+    if let Some(knot) = list.iter().find(|knot| !(from < *knot && *knot < to)) {
+        return Err(no_knot(knot, &format!("an inner knot, between {from:?} and {to:?}")));
+    }
+    let mut sorted: Vec<&S> = list.iter().collect();
+    sorted.sort_by(|a, b| a.partial_cmp(b).unwrap_or(Ordering::Equal));
+    Ok(sorted)
+}
+
+fn no_knot<S: Scalar>(knot: &S, expected: &str) -> Error {
+    Error::domain("knots", format!("{knot:?}"), expected)
+}
+
+/// What is left of a spline, and what that has cost.
+struct Left<'a, S> {
+    thinning: Thinning<'a, S>,
+    error: S,
+    allowance: S,
+}
+
+impl<S: Scalar> Left<'_, S> {
     /// Removes a knot once, if that costs no more than is left of the allowance.
-    fn spare(&mut self, axis: usize, knot: &S, allowance: &S) -> Result<bool> {
-        let removal = self.spline.remove_knot(axis, knot)?;
-        let error = self.error.clone() + removal.defect;
-        let spared = error <= *allowance;
+    fn spare(&mut self, knot: &S) -> Result<bool> {
+        let found = self.thinning.without(knot)?;
+        let error = self.error.clone() + found.defect.clone();
+        let spared = error <= self.allowance;
         if spared {
-            *self = Self { spline: removal.spline, error };
+            self.error = error;
+            self.thinning.accept(found);
         }
         Ok(spared)
     }

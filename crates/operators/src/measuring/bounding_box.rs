@@ -207,8 +207,12 @@ impl Cell {
     fn corners(&self) -> impl Iterator<Item = (Vec<f64>, f64)> {
         let orders = self.values.orders();
         let poles = self.values.homogeneous().as_chunks::<2>().0;
-        (0..1_usize << orders.len()).filter_map(move |bits| {
-            let far = |axis: usize| bits >> axis & 1 == 1;
+        // An axis of one pole has both ends in it.
+        let wide: Vec<usize> = (0..orders.len()).filter(|axis| orders[*axis] > 1).collect();
+        (0..1_usize << wide.len()).filter_map(move |bits| {
+            let far = |axis: usize| {
+                wide.iter().position(|one| *one == axis).is_some_and(|k| bits >> k & 1 == 1)
+            };
             let place = orders.iter().enumerate().fold(0, |place, (axis, order)| {
                 place * order + if far(axis) { order - 1 } else { 0 }
             });

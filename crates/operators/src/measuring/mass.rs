@@ -47,6 +47,10 @@ pub struct Mass {
 /// ```
 pub fn mass(shapes: &[Shape], filled: bool, accuracy: f64) -> Result<Mass> {
     let (axes, ambient) = require_alike(shapes)?;
+    if filled && axes + 1 < ambient {
+        let received = format!("true for forms of {axes} axes in dimension {ambient}");
+        return Err(Error::shape("filled", received, "shells, of an axis fewer than coordinates"));
+    }
     let (integral, error, dimension) = if filled && axes + 1 == ambient {
         let (mut integral, through) = flux(shapes, 2, accuracy)?;
         let sign = integral.values[0].signum();

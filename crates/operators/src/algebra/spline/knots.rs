@@ -178,21 +178,27 @@ impl<S: Scalar> Knots<S> {
         })
     }
 
+    /// A single row of the [`refinement`](Self::refinement).
+    pub(super) fn refined_pole(&self, finer: &Self, j: usize) -> Row<S> {
+        self.row_over(finer, j, |span, arguments| self.blossom(span, arguments))
+    }
+
     fn rows_over(&self, new: &Self, row: impl Fn(usize, &[S]) -> Vec<S>) -> Result<Rows<S>> {
         limit::check::<S>("the refined knots", &[new.order(), self.degree + 1], 1)?;
-        let mix = |j: usize| {
-            let mut within = j.max(new.degree)..=(j + new.degree).min(new.order() - 1);
-            let start = *within.start();
-            let piece = within.find(|&i| new.list[i] < new.list[i + 1]);
-            let span = self.span(&new.list[piece.unwrap_or(start)]);
-            // From the span outwards, knots before it backwards: then every step of the triangle
-            // lies between its ends, and nothing large cancels.
-            let mut arguments = new.list[j + 1..=j + new.degree].to_vec();
-            let before = arguments.partition_point(|knot| *knot <= self.list[span]);
-            arguments[..before].reverse();
-            Row::new(span - self.degree, row(span, &arguments))
-        };
-        Ok(Rows::new((0..new.order()).map(mix).collect()))
+        Ok(Rows::new((0..new.order()).map(|j| self.row_over(new, j, &row)).collect()))
+    }
+
+    fn row_over(&self, new: &Self, j: usize, row: impl Fn(usize, &[S]) -> Vec<S>) -> Row<S> {
+        let mut within = j.max(new.degree)..=(j + new.degree).min(new.order() - 1);
+        let start = *within.start();
+        let piece = within.find(|&i| new.list[i] < new.list[i + 1]);
+        let span = self.span(&new.list[piece.unwrap_or(start)]);
+        // From the span outwards, knots before it backwards: then every step of the triangle lies
+        // between its ends, and nothing large cancels.
+        let mut arguments = new.list[j + 1..=j + new.degree].to_vec();
+        let before = arguments.partition_point(|knot| *knot <= self.list[span]);
+        arguments[..before].reverse();
+        Row::new(span - self.degree, row(span, &arguments))
     }
 
     /// The matrix from the poles to the Bézier poles of the piece over `span`.

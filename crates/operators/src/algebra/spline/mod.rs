@@ -13,6 +13,7 @@ mod rows;
 mod sampled;
 mod shape;
 mod subdivide;
+mod thinning;
 mod window;
 
 use pforms_kernel::{Error, Form, Result, Scalar};
@@ -20,9 +21,11 @@ use pforms_kernel::{Error, Form, Result, Scalar};
 pub use combine::{midpoint_shapes, stack_shapes};
 pub use knots::Knots;
 pub use locate::Located;
+pub(crate) use pieces::Pieces;
 pub(super) use pieces::indices;
 pub use removal::Removal;
 pub use shape::{Poles, Shape};
+pub(crate) use thinning::Thinning;
 
 /// A tensor-product rational B-spline form of any degrees with any number of axes: NURBS.
 ///

@@ -5,22 +5,37 @@ use pforms_kernel::{Error, Form, Result, Scalar, limit};
 use super::{Knots, Spline};
 use crate::{elevate, raise_together};
 
+/// The pieces of a spline, found once for all that are asked for.
+#[derive(Clone, Debug)]
+pub(crate) struct Pieces<'a, S = f64> {
+    spline: &'a Spline<S>,
+    spans: Vec<Vec<usize>>,
+}
+
+impl<'a, S: Scalar> Pieces<'a, S> {
+    pub(crate) fn of(spline: &'a Spline<S>) -> Self {
+        Self { spline, spans: spline.knots.iter().map(Knots::spans).collect() }
+    }
+
+    /// As [`Spline::piece`].
+    pub(crate) fn piece(&self, index: &[usize]) -> Result<Form<S>> {
+        self.spline.net.require_per_axis("index", index)?;
+        let span = |(i, all): (&usize, &Vec<usize>)| all.get(*i).copied();
+        let spans: Option<Vec<usize>> = index.iter().zip(&self.spans).map(span).collect();
+        let spans = spans.ok_or_else(|| {
+            let expected = format!("indices below {:?}", self.spline.counts());
+            Error::shape("index", format!("{index:?}"), expected)
+        })?;
+        self.spline.over(&spans)
+    }
+}
+
 impl<S: Scalar> Spline<S> {
     /// The piece at `index`, as a form on the window from 0 to 1. Exact: Bézier extraction.
     ///
     /// Errors: `Shape` when there is no such piece.
     pub fn piece(&self, index: &[usize]) -> Result<Form<S>> {
-        self.net.require_per_axis("index", index)?;
-        let mut spans = Vec::with_capacity(index.len());
-        for (&i, knots) in index.iter().zip(&self.knots) {
-            let all = knots.spans();
-            let span = all.get(i).copied().ok_or_else(|| {
-                let expected = format!("indices below {:?}", self.counts());
-                Error::shape("index", format!("{index:?}"), expected)
-            })?;
-            spans.push(span);
-        }
-        self.over(&spans)
+        Pieces::of(self).piece(index)
     }
 
     /// The piece over these spans.
@@ -55,14 +70,10 @@ impl<S: Scalar> Spline<S> {
     /// Errors: `Limit`.
     pub fn pieces(&self) -> Result<Vec<Form<S>>> {
         let bezier = self.bezier()?;
-        let spans: Vec<Vec<usize>> = bezier.knots.iter().map(Knots::spans).collect();
-        let choose = |index: &Vec<usize>| {
-            let chosen: Vec<usize> = index.iter().zip(&spans).map(|(i, all)| all[*i]).collect();
-            bezier.over(&chosen)
-        };
+        let pieces = Pieces::of(&bezier);
         let sizes = [self.counts(), self.degrees().iter().map(|degree| degree + 1).collect()];
         limit::check::<S>("the pieces", &sizes.concat(), self.net.width())?;
-        indices(&self.counts()).iter().map(choose).collect()
+        indices(&self.counts()).iter().map(|index| pieces.piece(index)).collect()
     }
 
     /// The same spline with every knot repeated until the pieces share no more than end poles: the

@@ -37,27 +37,29 @@ impl<S: Scalar> Spline<S> {
     pub fn remove_knot(&self, axis: usize, t: &S) -> Result<Removal<S>> {
         self.net.require_axis(axis)?;
         let fewer = self.knots[axis].without(t)?;
-        let net = self.knots[axis].removal(&fewer)?.act(&self.net, axis)?;
+        let insertion = fewer.refinement(&self.knots[axis])?;
+        let net = removal(&insertion, fewer.order()).act(&self.net, axis)?;
+        let again = insertion.act(&net, axis)?;
+        let defect = farthest(again.homogeneous(), self.net.homogeneous());
         let mut knots = self.knots.clone();
         knots[axis] = fewer;
         let spline = Self { net, knots };
-        let again = spline.refined(self.knots.clone())?;
-        let pairs = again.net.homogeneous().iter().zip(self.net.homogeneous());
-        let mut defect = S::zero();
-        for (there, here) in pairs {
-            let gap = there.clone() - here.clone();
-            let gap = if gap < S::zero() { -gap } else { gap };
-            if gap > defect {
-                defect = gap;
-            }
-        }
         Ok(Removal { spline, defect })
     }
 }
 
+/// The largest difference of two numbers at one place.
+pub(super) fn farthest<S: Scalar>(there: &[S], here: &[S]) -> S {
+    let gaps = there.iter().zip(here).map(|(there, here)| {
+        let gap = there.clone() - here.clone();
+        if gap < S::zero() { -gap } else { gap }
+    });
+    gaps.fold(S::zero(), |most, gap| if gap > most { gap } else { most })
+}
+
 impl<S: Scalar> Knots<S> {
     /// These knots with one `t` less.
-    fn without(&self, t: &S) -> Result<Self> {
+    pub(super) fn without(&self, t: &S) -> Result<Self> {
         let (from, to) = self.window();
         if !(from < t && t < to && self.multiplicity(t) > 0) {
             let inner: Vec<S> = self.breaks().into_iter().filter(|b| b > from && b < to).collect();
@@ -71,33 +73,31 @@ impl<S: Scalar> Knots<S> {
         list.remove(list.partition_point(|knot| knot < t));
         Self::new(self.degree(), list)
     }
+}
 
-    /// The matrix to the poles over `fewer` knots.
-    ///
-    /// Inserting gives `q_i = a_i·p_i + (1 − a_i)·p_{i−1}` for the poles near the knot: each `p_i`
-    /// is read from the left while `a_i` is at least a half, else from the right.
-    fn removal(&self, fewer: &Self) -> Result<Rows<S>> {
-        let insertion = fewer.refinement(self)?;
-        let few = fewer.order();
-        let share = |i: usize| if i < few { insertion.row(i).entry(i) } else { S::zero() };
-        let half = S::ratio(1, 2);
-        let turn = (0..few).find(|&i| share(i) < half).unwrap_or(few);
-        let solved = |i: usize, own: &S, other: Option<&Row<S>>| match other {
-            Some(other) if *own != S::one() => {
-                Row::unit(i).with_multiple(&(own.clone() - S::one()), other, own)
-            }
-            _ => Row::unit(i),
-        };
-        let mut rows: Vec<Row<S>> = Vec::with_capacity(few);
-        for i in 0..turn {
-            rows.push(solved(i, &share(i), rows.last()));
+/// The matrix to the poles over the `few` knots that the `insertion` of one starts from.
+///
+/// Inserting gives `q_i = a_i·p_i + (1 − a_i)·p_{i−1}` for the poles near the knot: each `p_i` is read
+/// from the left while `a_i` is at least a half, else from the right.
+pub(super) fn removal<S: Scalar>(insertion: &Rows<S>, few: usize) -> Rows<S> {
+    let share = |i: usize| if i < few { insertion.row(i).entry(i) } else { S::zero() };
+    let half = S::ratio(1, 2);
+    let turn = (0..few).find(|&i| share(i) < half).unwrap_or(few);
+    let solved = |i: usize, own: &S, other: Option<&Row<S>>| match other {
+        Some(other) if *own != S::one() => {
+            Row::unit(i).with_multiple(&(own.clone() - S::one()), other, own)
         }
-        let mut rest: Vec<Row<S>> = Vec::with_capacity(few - turn);
-        for i in (turn..few).rev() {
-            // q_{i+1} = a·p_{i+1} + (1 − a)·p_i
-            rest.push(solved(i + 1, &(S::one() - share(i + 1)), rest.last()));
-        }
-        rows.extend(rest.into_iter().rev());
-        Ok(Rows::new(rows))
+        _ => Row::unit(i),
+    };
+    let mut rows: Vec<Row<S>> = Vec::with_capacity(few);
+    for i in 0..turn {
+        rows.push(solved(i, &share(i), rows.last()));
     }
+    let mut rest: Vec<Row<S>> = Vec::with_capacity(few - turn);
+    for i in (turn..few).rev() {
+        // q_{i+1} = a·p_{i+1} + (1 − a)·p_i
+        rest.push(solved(i + 1, &(S::one() - share(i + 1)), rest.last()));
+    }
+    rows.extend(rest.into_iter().rev());
+    Rows::new(rows)
 }

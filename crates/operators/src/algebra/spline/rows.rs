@@ -68,15 +68,20 @@ impl<S: Scalar> Rows<S> {
         let count = limit::check::<S>("the net of the spline", &orders, net.width())?;
         let mut poles = Vec::with_capacity(count);
         for lines in net.homogeneous().chunks_exact(block) {
-            for row in &self.rows {
-                row.mix(lines, inner, &mut poles);
-            }
+            self.mix(lines, inner, &mut poles);
         }
         let mixed = Form::from_homogeneous(&orders, net.ambient(), poles)?;
         Ok(match net.uniform_weight() {
             Some(weight) => mixed.with_uniform_weight(weight),
             None => mixed,
         })
+    }
+
+    /// Appends a mixture of lines of `inner` numbers each for every row.
+    pub(super) fn mix(&self, lines: &[S], inner: usize, out: &mut Vec<S>) {
+        for row in &self.rows {
+            row.mix(lines, inner, out);
+        }
     }
 }
 

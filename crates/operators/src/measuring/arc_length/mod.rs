@@ -2,10 +2,12 @@
 
 mod parameter;
 mod speed;
+mod sum;
 
 use pforms_kernel::{Error, Form, Result};
 
 pub(crate) use self::speed::Speed;
+use self::sum::Sum;
 use super::scale::{in_units, unit};
 use crate::algebra::Shape;
 
@@ -49,8 +51,12 @@ struct Stretch {
     smooth: bool,
 }
 
-/// Stretches one curve may take; a cusp takes some fifty.
+/// Stretches one curve may take, and as many more as it has pieces times [`EACH`]; a cusp takes some
+/// fifty.
 const MOST: usize = 1 << 16;
+
+/// Stretches a piece takes on the average, at most.
+const EACH: usize = 32;
 
 /// Roundings that sums of positive terms may hold, in units of the result.
 const ROUNDINGS: f64 = 8.0;
@@ -83,9 +89,8 @@ impl ArcLength {
         let (mut scale, mut worst) = (1.0, None);
         for _ in 0..ATTEMPTS {
             let measured = Self::attempt(&pieces, accuracy, accuracy * scale)?;
-            let (length, error) = measured.iter().fold((0.0, 0.0), |(length, error), stretch| {
-                (length + stretch.length, error + stretch.error)
-            });
+            let length = measured.iter().map(|stretch| stretch.length).collect::<Sum>().value();
+            let error = measured.iter().map(|stretch| stretch.error).sum::<f64>();
             if error <= accuracy * length || length == 0.0 {
                 let error = error + ROUNDINGS * f64::EPSILON * length;
                 return Ok(Self {
@@ -116,8 +121,9 @@ impl ArcLength {
     }
 
     fn attempt(pieces: &[Form], accuracy: f64, crumb: f64) -> Result<Vec<Stretch>> {
+        let most = MOST.saturating_add(EACH.saturating_mul(pieces.len()));
         let mut stretches = Vec::new();
-        let mut before = 0.0;
+        let mut before = Sum::default();
         for (piece, form) in pieces.iter().enumerate() {
             let mut waiting = vec![(0.0, 1.0)];
             while let Some((from, to)) = waiting.pop() {
@@ -126,13 +132,16 @@ impl ArcLength {
                 let last = !(from < middle && middle < to);
                 let Some((length, error, smooth)) = settled(&speed, accuracy, crumb, last)? else {
                     waiting.extend([(middle, to), (from, middle)]);
-                    if stretches.len() + waiting.len() > MOST {
+                    if stretches.len() + waiting.len() > most {
                         return Err(given_up(form, from, accuracy)?);
                     }
                     continue;
                 };
-                stretches.push(Stretch { piece, from, to, speed, before, length, error, smooth });
-                before += length;
+                let start = before.value();
+                let stretch =
+                    Stretch { piece, from, to, speed, before: start, length, error, smooth };
+                stretches.push(stretch);
+                before.add(length);
             }
         }
         Ok(stretches)

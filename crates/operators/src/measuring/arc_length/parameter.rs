@@ -16,8 +16,8 @@ impl ArcLength {
         if !(first <= t && t <= last) {
             return Err(Error::domain("t", t, format!("a parameter from {first} to {last}")));
         }
-        let later = self.breaks[1..self.breaks.len() - 1].iter();
-        let piece = later.filter(|knot| **knot <= t).count();
+        let later = &self.breaks[1..self.breaks.len() - 1];
+        let piece = later.partition_point(|knot| *knot <= t);
         let local = (t - self.breaks[piece]) / (self.breaks[piece + 1] - self.breaks[piece]);
         let index = self.stretches.partition_point(|s| (s.piece, s.to) < (piece, local));
         let Some(stretch) = self.stretches.get(index) else { return Ok(self.length) };

@@ -2,7 +2,7 @@
 
 use std::iter::zip;
 
-use pforms_kernel::Result;
+use pforms_kernel::{Result, limit};
 
 use super::apart;
 use super::side::{Place, Side};
@@ -18,6 +18,8 @@ pub(super) fn contacts(before: &Side, after: &Side, order: usize) -> Result<Vec<
     let after = &turned(before, after)?;
     let lists: Vec<Vec<f64>> =
         (0..before.others().len()).map(|k| places(before, after, k)).collect();
+    let counts: Vec<usize> = lists.iter().map(Vec::len).collect();
+    limit::check::<f64>("the places of the joint", &counts, counts.len())?;
     combinations(&lists)
         .iter()
         .map(|shares| contact(&before.place(shares)?, &after.place(shares)?, order))
@@ -29,6 +31,7 @@ fn turned<'a>(before: &Side, after: &Side<'a>) -> Result<Side<'a>> {
     /// Shares that tell a direction from its opposite.
     const PROBES: [f64; 3] = [0.0, 0.3, 1.0];
     let count = after.flips.len();
+    limit::check::<f64>("the probes of the joint", &vec![2 * PROBES.len(); count], count)?;
     let probes = combinations(&vec![PROBES.to_vec(); count]);
     let mut best: Option<(f64, Side<'a>)> = None;
     for bits in 0..1_usize << count {

@@ -8,7 +8,7 @@ use std::iter::zip;
 use pforms_kernel::{Error, Result};
 
 use self::contact::{Contact, contacts};
-use self::side::Side;
+use self::side::{Parts, Side};
 use super::scale::{spline_in_units, unit};
 use crate::algebra::{Shape, Spline};
 
@@ -109,6 +109,7 @@ pub fn continuity(
     }
     let unit = unit([f.net(), g.net()]);
     let (f, g) = (spline_in_units(&f, unit)?, spline_in_units(&g, unit)?);
+    let (f, g) = (Parts::of(&f), Parts::of(&g));
     let before = Side::of_end(&f, at[0], true)?;
     let after = Side::of_end(&g, at[1], false)?;
     between(&before, &after, unit, options)
@@ -127,11 +128,12 @@ pub fn joints(
     spline.net().require_axis(axis)?;
     let unit = unit([spline.net()]);
     let bezier = spline_in_units(&spline.bezier()?, unit)?;
+    let parts = Parts::of(&bezier);
     let breaks = spline.breaks().swap_remove(axis);
     let last = breaks.len() - 1;
     let joint = |before: usize, after: usize| {
-        let before = Side::of_piece(&bezier, axis, before, true)?;
-        let after = Side::of_piece(&bezier, axis, after, false)?;
+        let before = Side::of_piece(&parts, axis, before, true)?;
+        let after = Side::of_piece(&parts, axis, after, false)?;
         between(&before, &after, unit, options)
     };
     let mut joints = Vec::with_capacity(last);

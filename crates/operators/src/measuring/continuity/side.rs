@@ -3,12 +3,25 @@
 use pforms_kernel::{Form, Result};
 
 use super::FormEnd;
-use crate::algebra::Spline;
+use crate::algebra::{Pieces, Spline};
+
+/// A spline and its pieces, found once for all joints.
+pub(super) struct Parts<'a> {
+    spline: &'a Spline,
+    pieces: Pieces<'a>,
+    breaks: Vec<Vec<f64>>,
+}
+
+impl<'a> Parts<'a> {
+    pub(super) fn of(spline: &'a Spline) -> Self {
+        Self { spline, pieces: Pieces::of(spline), breaks: spline.breaks() }
+    }
+}
 
 /// The pieces of a spline along one of their common ends.
 #[derive(Clone)]
 pub(super) struct Side<'a> {
-    spline: &'a Spline,
+    parts: &'a Parts<'a>,
     axis: usize,
     /// The index of the pieces along `axis`.
     piece: usize,
@@ -16,41 +29,40 @@ pub(super) struct Side<'a> {
     far: bool,
     /// 1 when the parameter grows in the direction in which the joint is crossed, else −1.
     sign: f64,
-    breaks: Vec<Vec<f64>>,
     /// Which of the other axes are run backwards.
     pub flips: Vec<bool>,
 }
 
 impl<'a> Side<'a> {
     /// The side of a spline at one of its ends; `before` the joint, or after it.
-    pub(super) fn of_end(spline: &'a Spline, at: FormEnd, before: bool) -> Result<Self> {
-        spline.net().require_axis(at.axis)?;
-        let piece = if at.far { spline.counts()[at.axis] - 1 } else { 0 };
-        let mut side = Self::of_piece(spline, at.axis, piece, at.far)?;
+    pub(super) fn of_end(parts: &'a Parts<'a>, at: FormEnd, before: bool) -> Result<Self> {
+        parts.spline.net().require_axis(at.axis)?;
+        let piece = if at.far { parts.breaks[at.axis].len() - 2 } else { 0 };
+        let mut side = Self::of_piece(parts, at.axis, piece, at.far)?;
         side.sign = if at.far == before { 1.0 } else { -1.0 };
         Ok(side)
     }
 
     /// The side of the pieces of index `piece` along `axis`, at their far end or their near one.
     pub(super) fn of_piece(
-        spline: &'a Spline,
+        parts: &'a Parts<'a>,
         axis: usize,
         piece: usize,
         far: bool,
     ) -> Result<Self> {
-        spline.net().require_axis(axis)?;
-        let flips = vec![false; spline.axes() - 1];
-        Ok(Self { spline, axis, piece, far, sign: 1.0, breaks: spline.breaks(), flips })
+        parts.spline.net().require_axis(axis)?;
+        let flips = vec![false; parts.spline.axes() - 1];
+        Ok(Self { parts, axis, piece, far, sign: 1.0, flips })
     }
 
     /// The other axes.
     pub(super) fn others(&self) -> Vec<usize> {
-        (0..self.spline.axes()).filter(|axis| *axis != self.axis).collect()
+        (0..self.parts.spline.axes()).filter(|axis| *axis != self.axis).collect()
     }
 
     /// Where the pieces begin and end along the other axis `k`, in shares of its window.
     pub(super) fn shares(&self, k: usize) -> Vec<f64> {
-        let list = &self.breaks[self.others()[k]];
+        let list = &self.parts.breaks[self.others()[k]];
         let (from, to) = (list[0], list[list.len() - 1]);
         let share = |t: &f64| (t - from) / (to - from);
         let mut shares: Vec<f64> = list.iter().map(share).collect();
@@ -62,18 +74,18 @@ impl<'a> Side<'a> {
 
     /// The degree along the other axis `k`.
     pub(super) fn degree(&self, k: usize) -> usize {
-        self.spline.degrees()[self.others()[k]]
+        self.parts.spline.degrees()[self.others()[k]]
     }
 
     /// The piece at these shares of the other windows, as seen from there.
     pub(super) fn place(&self, shares: &[f64]) -> Result<Place> {
-        let mut index = vec![self.piece; self.spline.axes()];
-        let mut local = vec![if self.far { 1.0 } else { 0.0 }; self.spline.axes()];
-        let mut steps = vec![0.0; self.spline.axes()];
-        let list = &self.breaks[self.axis];
+        let mut index = vec![self.piece; self.parts.spline.axes()];
+        let mut local = vec![if self.far { 1.0 } else { 0.0 }; self.parts.spline.axes()];
+        let mut steps = vec![0.0; self.parts.spline.axes()];
+        let list = &self.parts.breaks[self.axis];
         steps[self.axis] = self.sign / (list[self.piece + 1] - list[self.piece]);
         for ((axis, share), flip) in self.others().into_iter().zip(shares).zip(&self.flips) {
-            let list = &self.breaks[axis];
+            let list = &self.parts.breaks[axis];
             let last = list.len() - 1;
             let share = if *flip { 1.0 - share } else { *share };
             let t = list[0] + share * (list[last] - list[0]);
@@ -82,7 +94,7 @@ impl<'a> Side<'a> {
             local[axis] = (t - list[i]) / (list[i + 1] - list[i]);
             steps[axis] = if *flip { -1.0 } else { 1.0 } / (list[i + 1] - list[i]);
         }
-        let form = self.spline.piece(&index)?;
+        let form = self.parts.pieces.piece(&index)?;
         let size = size(&form);
         Ok(Place { form, local, steps, axis: self.axis, size })
     }
