@@ -1,5 +1,7 @@
 //! Arguments that have found their parameters, read as what the operator needs.
 
+use std::cell::Cell;
+
 use pforms_kernel::{Error, Form};
 use pforms_operators::Shape;
 
@@ -12,14 +14,17 @@ use crate::{Arithmetic, Failure, Language, Operator, Parameter, Takes, Value, Wo
 pub struct Bound<S> {
     operator: &'static Operator,
     slots: Vec<Vec<Value<S>>>,
+    /// Which of them the operator has read.
+    read: Vec<Cell<bool>>,
 }
 
 impl<S: Arithmetic> Bound<S> {
     pub(crate) fn new(operator: &'static Operator, slots: Vec<Vec<Value<S>>>) -> Self {
-        Self { operator, slots }
+        let read = slots.iter().map(|_| Cell::new(false)).collect();
+        Self { operator, slots, read }
     }
 
-    /// Was the argument given?
+    /// Was the argument given? Asking that is not reading it.
     pub(crate) fn is_given(&self, index: usize) -> bool {
         !self.slots[index].is_empty()
     }
@@ -31,12 +36,13 @@ impl<S: Arithmetic> Bound<S> {
 
     /// Every value given for a parameter.
     pub(crate) fn all(&self, index: usize) -> &[Value<S>] {
+        self.read[index].set(true);
         &self.slots[index]
     }
 
     /// The value given, or the default.
     pub(crate) fn value(&self, index: usize) -> Value<S> {
-        if let Some(value) = self.slots[index].first() {
+        if let Some(value) = self.all(index).first() {
             return value.clone();
         }
         match self.parameter(index).default {
@@ -47,6 +53,30 @@ impl<S: Arithmetic> Bound<S> {
             Fallback::Boolean(value) => Value::Boolean(value),
             Fallback::Required | Fallback::Absent(_) => Value::Empty,
         }
+    }
+
+    /// What a call gave and its operator never looked at is a mistake of the caller's, who believes
+    /// that it counts: a tangent for natural ends, the order of a turn all the way round. FALSE asks
+    /// for nothing, and what is exact keeps every accuracy.
+    ///
+    /// Errors: `Shape`, naming the first such argument.
+    pub(crate) fn require_read(&self) -> Result<(), Failure> {
+        let asks = |value: &Value<S>| !matches!(value, Value::Empty | Value::Boolean(false));
+        let kept = |index: usize| matches!(self.name(index), "accuracy" | "tolerance");
+        let unread = |index: &usize| {
+            !self.read[*index].get() && !kept(*index) && self.slots[*index].iter().any(asks)
+        };
+        match (0..self.slots.len()).find(unread) {
+            None => Ok(()),
+            Some(index) => Err(self.idle(index)),
+        }
+    }
+
+    /// The error for an argument that has no part in what the others ask for.
+    pub(crate) fn idle(&self, index: usize) -> Failure {
+        let en = "nothing: the other arguments leave it no part";
+        let fr = "rien : les autres arguments ne lui laissent aucun rôle";
+        self.explain(index, &self.value(index), shape, en, fr)
     }
 
     /// A form; a net of points becomes one, an immersed form is expanded.

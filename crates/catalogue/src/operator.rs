@@ -166,10 +166,23 @@ impl Operator {
         let Some(routine) = S::routine(&self.call) else {
             return S::without_routine(self, &arguments);
         };
-        match arguments.bind(self).and_then(|bound| routine(&bound)).and_then(checked) {
+        match arguments.bind(self).and_then(|bound| self.run(routine, &bound)).and_then(checked) {
             Ok(value) => value,
             Err(failure) => failure.within(self).into(),
         }
+    }
+
+    /// A condition chooses what it looks at; any other operator looks at all that it is given.
+    fn run<S: Arithmetic>(
+        &self,
+        routine: Routine<S>,
+        bound: &Bound<S>,
+    ) -> Result<Value<S>, Failure> {
+        let value = routine(bound)?;
+        if !self.takes_errors {
+            bound.require_read()?;
+        }
+        Ok(value)
     }
 }
 

@@ -280,3 +280,57 @@ fn fractions_that_would_grow_for_minutes_are_refused() {
     });
     assert_eq!(refused, Some("Limit"));
 }
+
+#[test]
+fn what_has_no_part_is_refused_by_name() {
+    let points = "[(0, 0), (1, 1), (2, 0), (3, 1)]";
+    let tangents = "tangents=[(1, 0), (0, 1)]";
+    for (call, argument) in [
+        (format!("=SPLINE({points}, {tangents})"), "tangents"),
+        (format!("=SPLINE({points}, circle=TRUE)"), "circle"),
+        (format!("=SPLINE({points}, 2, ends=\"periodic\")"), "ends"),
+        (format!("=SPLINE({points}, 2, parameters=\"uniform\")"), "parameters"),
+        (format!("=SPLINE({points}, start=[(0, 1), (1, 2)], {tangents})"), "tangents"),
+        ("=REVOLVE([(1, 0), (2, 1)], order=4)".to_owned(), "order"),
+        ("=ITERATE([(0, 0), (1, 0)], 2, ratio=1/3)".to_owned(), "ratio"),
+        ("=CONTINUITY([(0, 0), (1, 0)], at=[0, 1])".to_owned(), "at"),
+        ("=CONTINUITY([(0, 0), (1, 0)], [(1, 0), (2, 0)], axis=0)".to_owned(), "axis"),
+        (
+            "=FRAME([[(0, 0, 0), (0, 1, 0)], [(1, 0, 0), (1, 1, 1)]], 0, 0, kind=\"tangent\")"
+                .to_owned(),
+            "kind",
+        ),
+    ] {
+        let failure = failure(&call);
+        assert_eq!(failure.family(), "Shape", "{call}");
+        let said = failure.message(Language::English);
+        assert!(said.contains(&format!("{argument}: received")), "{call}: {said}");
+        assert!(said.contains("the other arguments leave it no part"), "{call}: {said}");
+    }
+    // FALSE asks for nothing, and what is exact keeps every accuracy.
+    assert_eq!(shown(&format!("=SPLINE({points}, circle=FALSE)")), "spline of 3 pL4 · 2D");
+    let facet = "[[(0, 0, 0), (0, 1, 0)], [(1, 0, 0), (1, 1, 1)]]";
+    assert!(value(&format!("=FRAME({facet}, 0, 0, accuracy=1/100)")).failure().is_none());
+}
+
+#[test]
+fn no_argument_is_passed_over() {
+    for operator in pforms_catalogue::catalogue() {
+        let name = operator.formula_name(Language::English);
+        let opening = format!("={name}(");
+        let Some(inner) = operator.example.strip_prefix(&opening) else { continue };
+        let Some(inner) = inner.strip_suffix(')') else { continue };
+        if operator.takes_errors {
+            continue;
+        }
+        let optional = operator.parameters.iter().filter(|parameter| !parameter.is_required());
+        for parameter in optional.map(|parameter| parameter.name.en) {
+            // What is exact keeps every accuracy.
+            if matches!(parameter, "accuracy" | "tolerance") {
+                continue;
+            }
+            let call = format!("{opening}{inner}, {parameter}=\"no such thing\")");
+            assert!(value(&call).failure().is_some(), "{call}");
+        }
+    }
+}

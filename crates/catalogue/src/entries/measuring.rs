@@ -275,10 +275,11 @@ fn exact_volume<S: Arithmetic>(a: &Bound<S>) -> Outcome<S> {
 }
 
 fn exact<S: Arithmetic>(a: &Bound<S>, shapes: &[Shape<S>]) -> Outcome<S> {
-    if a.choice(3)? == "error" {
+    let (signed, wanted) = (a.boolean(1)?, a.choice(3)?);
+    if wanted == "error" {
         return Ok(Value::Number(S::zero()));
     }
-    Ok(Value::Number(operators::volume_exact(shapes, a.boolean(1)?)?))
+    Ok(Value::Number(operators::volume_exact(shapes, signed)?))
 }
 
 fn mass(a: &Bound<f64>) -> Result<Mass, Failure> {
