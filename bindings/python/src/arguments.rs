@@ -85,6 +85,20 @@ pub(crate) fn truth(argument: &str, object: &Bound<'_, PyAny>) -> PyResult<bool>
     object.extract().map_err(|_| mistyped(argument, object, "True or False"))
 }
 
+/// Complains about an argument that the others leave no part in; `False` asks for nothing.
+pub(crate) fn require_idle(
+    argument: &str,
+    given: Option<&Bound<'_, PyAny>>,
+    why: &str,
+) -> PyResult<()> {
+    match given {
+        Some(object) if !object.extract().is_ok_and(|truth: bool| !truth) => {
+            Err(mistyped(argument, object, &format!("nothing: {why}")))
+        }
+        _ => Ok(()),
+    }
+}
+
 /// Complains about NaN and infinities.
 pub(crate) fn require_finite(argument: &str, numbers: &[f64]) -> PyResult<()> {
     match numbers.iter().find(|number| !number.is_finite()) {

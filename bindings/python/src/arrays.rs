@@ -174,6 +174,11 @@ fn check_size(argument: &str, array: &Bound<'_, PyUntypedArray>) -> PyResult<()>
     limit::check::<f64>(argument, array.shape(), 1).map(|_| ()).map_err(|error| raised(&error))
 }
 
+/// The same for what may be an array, before its lines are read one by one.
+pub(crate) fn check_whole(argument: &str, object: &Bound<'_, PyAny>) -> PyResult<()> {
+    object.cast::<PyUntypedArray>().map_or(Ok(()), |array| check_size(argument, array))
+}
+
 /// Says what was wrong with an object that NumPy could not convert.
 fn explained(argument: &str, object: &Bound<'_, PyAny>, error: PyErr) -> PyErr {
     let py = object.py();

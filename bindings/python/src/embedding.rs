@@ -330,6 +330,10 @@ pub(crate) fn deform<'py>(
         None => Rest::Window,
         Some(given) => read_rest(given, cage.net().axes())?,
     };
+    if outside != "keep" && (is_shape(object) || object.is_instance_of::<PyImmersed>()) {
+        let expected = "\"keep\": a form is deformed whole, wherever its cage ends";
+        return fail(&Error::domain("outside", format!("{outside:?}"), expected));
+    }
     Deformation { cage, rest, accuracy, outside }.of(object)
 }
 

@@ -7,7 +7,7 @@ use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
 use pyo3::types::{PyList, PyTuple};
 
-use crate::arguments::{real, whole, word};
+use crate::arguments::{real, require_idle, whole, word};
 use crate::errors::{done, fail};
 use crate::form::PyForm;
 use crate::outputs::array;
@@ -88,7 +88,11 @@ pub(crate) fn iterate<'py>(
         return fail(&Error::shape("form", "a Spline", "a Form"));
     };
     let rules = ["cantor", "sponge", "sierpinski"];
-    let rule = match rule.map_or(Ok(rules[0]), |given| word("rule", given, &rules))? {
+    let rule = rule.map_or(Ok(rules[0]), |given| word("rule", given, &rules))?;
+    if rule != "sierpinski" {
+        require_idle("ratio", ratio, "only \"sierpinski\" has a ratio")?;
+    }
+    let rule = match rule {
         "sponge" => Rule::Sponge,
         "sierpinski" => Rule::Sierpinski(ratio.map_or(Ok(0.5), |given| real("ratio", given))?),
         _ => Rule::Cantor,

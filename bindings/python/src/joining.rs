@@ -8,7 +8,7 @@ use pyo3::prelude::*;
 use pyo3::types::{PyList, PyTuple};
 use pyo3::{IntoPyObjectExt, intern};
 
-use crate::arguments::{axis_number, real, truth, whole, wholes, word};
+use crate::arguments::{axis_number, real, require_idle, truth, whole, wholes, word};
 use crate::arrays::Numbers;
 use crate::errors::{done, fail};
 use crate::making::one_list;
@@ -156,11 +156,13 @@ pub(crate) fn continuity<'py>(
         accuracy: accuracy.map_or(Ok(usual.accuracy), |accuracy| real("accuracy", accuracy))?,
     };
     let Some(g) = g else {
+        require_idle("at", at, "without g all joints of f are looked at")?;
         let (spline, axis) = (first.into_spline(), axis_number(axis)?);
         let joints = done(py, usize::MAX, || operators::joints(&spline, axis, options))?;
         let pairs = joints.into_iter().map(|(t, joint)| Ok((t, reported(py, joint)?)));
         return Ok(PyList::new(py, pairs.collect::<PyResult<Vec<_>>>()?)?.into_any());
     };
+    require_idle("axis", axis, "with g it is at that names the axes")?;
     let (second, at) = (shapes::read("g", g)?, ends(at)?);
     let joint = done(py, usize::MAX, || operators::continuity(&first, &second, at, options))?;
     reported(py, joint)

@@ -9,7 +9,7 @@ use pforms_operators::{
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
 
-use crate::arguments::{real, truth, word};
+use crate::arguments::{real, require_idle, truth, word};
 use crate::columns::Columns;
 use crate::errors::fail;
 use crate::form::PyForm;
@@ -249,6 +249,9 @@ pub(crate) fn frame<'py>(
     unit: Option<&Bound<'py, PyAny>>,
     accuracy: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Bound<'py, PyAny>> {
+    if subject.net().axes() != 1 {
+        require_idle("kind", kind, "only curves have normals of several kinds")?;
+    }
     let kind = match kind.map(|kind| word("kind", kind, &KINDS)).transpose()? {
         Some("rotation-minimising") => FrameKind::RotationMinimising,
         Some("tangent") => FrameKind::Tangent,

@@ -4,7 +4,7 @@ use pforms_kernel::{Error, Form};
 use pforms_operators::{self as operators, Axis, Part, Shape};
 use pyo3::prelude::*;
 
-use crate::arguments::{real, whole};
+use crate::arguments::{real, require_idle, whole};
 use crate::arrays::Numbers;
 use crate::errors::{done, fail, raised};
 use crate::form::PyForm;
@@ -58,6 +58,9 @@ pub(crate) fn revolve<'py>(
     let py = profile.py();
     let profile = read("profile", profile)?;
     let axis = read_axis(axis, through)?;
+    if angle.is_none() {
+        require_idle("order", order, "all the way round takes 5 poles; an angle gives it a part")?;
+    }
     let order = order.map_or(Ok(3), |order| whole("order", order))?;
     let angle = angle.map(|angle| real("angle", angle)).transpose()?;
     let turned = done(py, cost(&profile, 1 << 6), || match angle {

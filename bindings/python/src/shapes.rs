@@ -8,6 +8,7 @@ use pyo3::types::{PyList, PyTuple};
 use crate::arrays::Numbers;
 use crate::errors::{mistyped, raised};
 use crate::form::{PyForm, from_euclidean};
+use crate::meshes::is_mesh;
 use crate::spline::PySpline;
 
 /// A form or a spline; an array of points is the poles of a form.
@@ -20,17 +21,23 @@ pub(crate) fn read(argument: &str, object: &Bound<'_, PyAny>) -> PyResult<Shape>
     if let Ok(spline) = object.cast::<PySpline>() {
         return Ok(spline.get().spline.clone().into());
     }
+    let expected = "a pforms.Form, a pforms.Spline or an array";
+    if is_mesh(object) {
+        return Err(mistyped(argument, object, expected));
+    }
     match Numbers::read(argument, object) {
         Ok(numbers) => Ok(from_euclidean(argument, &numbers, None).map_err(|e| raised(&e))?.into()),
-        Err(_) => Err(mistyped(argument, object, "a pforms.Form, a pforms.Spline or an array")),
+        Err(_) => Err(mistyped(argument, object, expected)),
     }
 }
 
 /// Forms, splines and arrays of poles given one by one, or all in a list.
 pub(crate) fn read_several(argument: &str, given: &Bound<'_, PyTuple>) -> PyResult<Vec<Shape>> {
     let single = given.get_item(0).ok().filter(|_| given.len() == 1);
-    match single.filter(|item| item.is_instance_of::<PyList>() || item.is_instance_of::<PyTuple>())
-    {
+    let listed = |item: &Bound<'_, PyAny>| {
+        item.is_instance_of::<PyList>() || item.is_instance_of::<PyTuple>() && !is_mesh(item)
+    };
+    match single.filter(listed) {
         Some(list) => list.try_iter()?.map(|item| read(argument, &item?)).collect(),
         None => given.iter().map(|item| read(argument, &item)).collect(),
     }

@@ -6,6 +6,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyTuple;
 
 use crate::arguments::{real, reals, truth};
+use crate::arrays::check_whole;
 use crate::errors::{done, mistyped};
 use crate::outputs::array;
 use crate::shapes;
@@ -157,6 +158,7 @@ pub(crate) fn gordon<'py>(
 
 /// The curves of a family, and whether all of them are forms.
 fn curves(argument: &str, given: &Bound<'_, PyAny>) -> PyResult<(Vec<Spline>, bool)> {
+    check_whole(argument, given)?;
     let Ok(items) = given.try_iter() else {
         return Err(mistyped(argument, given, "a list of curves"));
     };

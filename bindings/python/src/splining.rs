@@ -5,7 +5,7 @@ use pforms_operators::{self as operators, KnotRule, Parameters, Poles, Spline, S
 use pyo3::prelude::*;
 use pyo3::types::{PyList, PyString, PyTuple};
 
-use crate::arguments::{axis_number, truth, whole, wholes, word};
+use crate::arguments::{axis_number, require_idle, truth, whole, wholes, word};
 use crate::arrays::Numbers;
 use crate::errors::{done, fail, raised};
 use crate::form::{PyForm, from_euclidean};
@@ -180,6 +180,8 @@ pub(crate) fn concatenate(
 /// ------
 /// ShapeError, DomainError, DegenerateError
 ///     When numbers do not fit; for parameters that do not grow; for points that all coincide.
+/// ArgumentError
+///     For what is given and has no part: tangents of natural ends, parameters of a chain.
 ///
 /// Examples
 /// --------
@@ -208,8 +210,18 @@ pub(crate) fn interpolating_spline(
     let py = points.py();
     let net = net("points", points)?;
     let start = start.map(|start| self::net("start", start)).transpose()?;
+    let given_circle = circle;
     let circle = circle.map_or(Ok(false), |circle| truth("circle", circle))?;
     let degree = degree.map_or(Ok(3), |degree| whole("degree", degree))?;
+    let chain = degree == 2 || start.is_some();
+    if chain {
+        for (name, given) in [("ends", ends), ("params", params), ("tangents", tangents)] {
+            require_idle(name, given, "degree 2, or a start, gives a chain")?;
+        }
+    }
+    if degree == 3 {
+        require_idle("circle", given_circle, "arcs are for chains of degree 2")?;
+    }
     let cost = 32 * net.homogeneous().len();
     if degree == 2 {
         let before = start.unwrap_or_else(|| net.clone());
@@ -234,6 +246,9 @@ pub(crate) fn interpolating_spline(
         Some(ends) => each("ends", ends, net.axes(), |one| end(one, clamped.as_ref()))?,
         None => vec![SplineEnds::Natural; net.axes()],
     };
+    if !ends.iter().any(|end| matches!(end, SplineEnds::Clamped(..))) {
+        require_idle("tangents", tangents, "no end is \"clamped\"")?;
+    }
     let rule = params.map_or(Ok(Parameters::Chord), crate::making::read_parameters)?;
     done(py, cost, || {
         let periodic: Vec<bool> = ends.iter().map(|ends| *ends == SplineEnds::Periodic).collect();
