@@ -85,7 +85,8 @@ def question(variant: str, count: int) -> Question:
         def surface_box(adaptor: Native) -> tuple[float, ...]:
             box = Bnd_Box()
             BndLib_AddSurface.AddOptimal_s(adaptor, 1e-10, box)
-            return box.Get()
+            corners = box.CornerMin(), box.CornerMax()
+            return tuple(x for corner in corners for x in (corner.X(), corner.Y(), corner.Z()))
 
         if what == "box":
             adaptors = [GeomAdaptor_Surface(surface(net)) for net in nets]

@@ -4,8 +4,8 @@ use pforms_kernel::{Error, Form, Matrix, Result, Scalar, blossom_row};
 
 use super::Nodes;
 use super::known_nodes::known;
-use super::twofold::Twofold;
 use super::vandermonde::{Vandermonde, Window};
+use crate::measuring::twofold::Twofold;
 
 /// The polynomial form through the euclidean poles of `net`, at the given nodes of each axis.
 ///

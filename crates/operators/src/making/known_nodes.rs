@@ -6,8 +6,8 @@ use std::sync::OnceLock;
 use pforms_kernel::Scalar;
 
 use super::Nodes;
-use super::twofold::Twofold;
 use super::vandermonde::{Vandermonde, Window};
+use crate::measuring::twofold::Twofold;
 
 /// The highest order that is remembered: all of them together take less than 2 MB.
 const HIGHEST: usize = 48;

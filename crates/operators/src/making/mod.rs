@@ -26,7 +26,6 @@ mod tangent_developable;
 mod tile_shapes;
 mod unroll;
 
-mod twofold;
 mod vandermonde;
 
 pub use bspline::{KnotRule, bspline, nurbs};

@@ -12,7 +12,7 @@
 use pforms_kernel::vectors::{Job, Simd};
 use pforms_kernel::{Scalar, pascal_row};
 
-use super::twofold::Twofold;
+use crate::measuring::twofold::Twofold;
 
 /// The factors of one axis: computed once, applied to every line.
 #[derive(Debug)]

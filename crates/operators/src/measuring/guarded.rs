@@ -10,9 +10,11 @@ use pforms_kernel::Scalar;
 /// Running error analysis (Wilkinson; Higham, *Accuracy and Stability of Numerical Algorithms*,
 /// section 3.3). It decides "is this derivative zero?" at the scale of the data at hand, where a
 /// fixed threshold would depend on the unit of length.
+///
+/// The value may be of more digits than an `f64`; its `ε` is smaller then.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Guarded {
-    pub value: f64,
+pub(crate) struct Guarded<V = f64> {
+    pub value: V,
     pub size: f64,
 }
 
@@ -30,90 +32,90 @@ pub(crate) fn values(vector: &[Guarded]) -> Vec<f64> {
     vector.iter().map(|x| x.value).collect()
 }
 
-impl From<f64> for Guarded {
-    fn from(value: f64) -> Self {
-        Self { value, size: value.abs() }
+impl<V: Scalar> From<V> for Guarded<V> {
+    fn from(value: V) -> Self {
+        Self { size: value.to_f64().abs(), value }
     }
 }
 
-impl PartialEq for Guarded {
+impl<V: Scalar> PartialEq for Guarded<V> {
     fn eq(&self, other: &Self) -> bool {
         self.value == other.value
     }
 }
 
-impl PartialOrd for Guarded {
+impl<V: Scalar> PartialOrd for Guarded<V> {
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
         self.value.partial_cmp(&other.value)
     }
 }
 
-impl Add for Guarded {
+impl<V: Scalar> Add for Guarded<V> {
     type Output = Self;
     fn add(self, other: Self) -> Self {
         Self { value: self.value + other.value, size: self.size + other.size }
     }
 }
 
-impl AddAssign for Guarded {
+impl<V: Scalar> AddAssign for Guarded<V> {
     fn add_assign(&mut self, other: Self) {
-        *self = *self + other;
+        self.value += other.value;
+        self.size += other.size;
     }
 }
 
-impl Neg for Guarded {
+impl<V: Scalar> Neg for Guarded<V> {
     type Output = Self;
     fn neg(self) -> Self {
         Self { value: -self.value, size: self.size }
     }
 }
 
-impl Sub for Guarded {
+impl<V: Scalar> Sub for Guarded<V> {
     type Output = Self;
     fn sub(self, other: Self) -> Self {
         self + -other
     }
 }
 
-impl Mul for Guarded {
+impl<V: Scalar> Mul for Guarded<V> {
     type Output = Self;
     fn mul(self, other: Self) -> Self {
-        Self {
-            value: self.value * other.value,
-            size: self.value.abs() * other.size + self.size * other.value.abs(),
-        }
+        let (one, two) = (self.value.to_f64().abs(), other.value.to_f64().abs());
+        Self { value: self.value * other.value, size: one * other.size + self.size * two }
     }
 }
 
-impl Div for Guarded {
+impl<V: Scalar> Div for Guarded<V> {
     type Output = Self;
     fn div(self, other: Self) -> Self {
+        let below = other.value.to_f64().abs();
         let value = self.value / other.value;
-        Self { value, size: (self.size + value.abs() * other.size) / other.value.abs() }
+        Self { size: (self.size + value.to_f64().abs() * other.size) / below, value }
     }
 }
 
-impl Scalar for Guarded {
+impl<V: Scalar> Scalar for Guarded<V> {
     const EXACT: bool = false;
 
     fn zero() -> Self {
-        Self::from(0.0)
+        Self::from(V::zero())
     }
 
     fn one() -> Self {
-        Self::from(1.0)
+        Self::from(V::one())
     }
 
     fn from_integer(value: i64) -> Self {
-        Self::from(value as f64)
+        Self::from(V::from_integer(value))
     }
 
     fn from_f64(value: f64) -> Option<Self> {
-        value.is_finite().then(|| Self::from(value))
+        V::from_f64(value).map(Self::from)
     }
 
     fn to_f64(&self) -> f64 {
-        self.value
+        self.value.to_f64()
     }
 
     fn is_finite(&self) -> bool {

@@ -34,6 +34,7 @@ mod spline_frames;
 mod surface_frame;
 pub(crate) mod system;
 mod tangent_form;
+pub(crate) mod twofold;
 pub(crate) mod vector;
 mod volume;
 mod volume_frame;

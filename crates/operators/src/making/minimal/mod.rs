@@ -22,8 +22,8 @@ use energy::Energy;
 
 pub use area::{Minimal, minimal};
 
-use super::twofold::Twofold;
 use crate::algebra::Shape;
+use crate::measuring::twofold::Twofold;
 
 /// What the poles inside a boundary make least.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

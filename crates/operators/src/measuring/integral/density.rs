@@ -2,9 +2,10 @@
 
 use pforms_kernel::{Error, Form, Rational, Result, Scalar, Scaled};
 
-use super::local::{Local, exactly_seen, heaviest, infinite, least_weight, seen_from};
+use super::local::{Local, heaviest, infinite, least_weight, seen_from, sharply_seen};
 use crate::algebra::{Minors, flux_minor, tangent_minors};
 use crate::measuring::guarded::Guarded;
+use crate::measuring::twofold::Twofold;
 use crate::measuring::vector::{dot, norm};
 
 /// Which element.
@@ -16,6 +17,15 @@ pub(crate) enum Element {
     Signed,
     /// `det(f, ∂₁f, …)`: as many times the enclosed volume as there are coordinates.
     Flux,
+}
+
+impl Element {
+    fn minors<S: Scalar>(self, form: &Form<S>) -> Result<Minors<S>> {
+        match self {
+            Self::Flux => flux_minor(form),
+            Self::Size | Self::Signed => tangent_minors(form),
+        }
+    }
 }
 
 /// `Π u_k^a·(1 − u_k)^b·|N|/W^e` or, with a sign, `N/W^e` over the window of a piece.
@@ -37,17 +47,23 @@ pub(super) struct Density {
 /// Part of the accuracy that may be left out.
 const OMITTED: f64 = 1e-3;
 
-/// Part of the accuracy that rounding may take before the polynomials are computed exactly.
+/// Part of the accuracy that rounding may take before the polynomials are computed with more digits.
 const NOISE: f64 = 0.25;
 
-/// Roundings that a coefficient may hold, in units of the size of what went into it.
-const ROUNDINGS: f64 = 16.0;
+/// What sharp coefficients may be wrong by, in units of their mean: all were rounded once.
+const ROUNDED: f64 = 2.0 * f64::EPSILON;
+
+/// What roundings may have made of a coefficient, in units of the size of what went into it.
+const LOST: f64 = 16.0 * f64::EPSILON;
+
+/// The same of numbers of twice the digits, each of whose operations takes away up to a few units.
+const LOST_TWOFOLD: f64 = 64.0 * f64::EPSILON * f64::EPSILON;
 
 impl Density {
     /// The density of a piece whose coordinates and weights are about 1.
     ///
-    /// Where rounding would take too many digits, or if `exact`, the polynomials are computed once
-    /// more in exact numbers.
+    /// Where rounding would take too many digits, or all that it can if `sharp`, the polynomials are
+    /// computed once more in numbers of twice the digits, and in exact ones if need be.
     ///
     /// Errors: `Shape` when the element needs other axes; `Domain` where the weight vanishes; `Limit`.
     pub(super) fn new(
@@ -55,30 +71,33 @@ impl Density {
         place: usize,
         element: Element,
         accuracy: f64,
-        exact: bool,
+        sharp: bool,
     ) -> Result<Self> {
         let piece = &local.pieces[place];
         let least = least_weight(piece)?;
         if least <= 0.0 {
             return Err(infinite());
         }
-        let minors = match element {
-            Element::Flux => flux_minor(&guarded(piece)?)?,
-            Element::Size | Element::Signed => {
-                tangent_minors(&guarded(&seen_from(piece, &heaviest(piece))?)?)?
-            }
+        let near = match element {
+            Element::Flux => piece.clone(),
+            Element::Size | Element::Signed => seen_from(piece, &heaviest(piece))?,
         };
-        let power = minors.power;
-        let mut numerators = with_noise(minors)?;
-        let (noise, length) = (mean_noise(&numerators), mean_length(&numerators));
+        let plain = element.minors(&near.map_scalar(|x| Guarded::from(*x))?)?;
+        let power = plain.power;
+        let mut numerators = with_noise(plain, LOST)?;
+        let limit = if sharp { ROUNDED } else { NOISE * accuracy };
         // What is all rounding stays that: of poles on a line, say, that are off it by their last digit.
-        if (exact || noise > NOISE * accuracy * length) && noise < length {
-            let exact = exactly_seen(&local.given[place], &local.origin)?;
-            let minors = match element {
-                Element::Flux => flux_minor(&exact)?,
-                Element::Size | Element::Signed => tangent_minors(&exact)?,
-            };
-            numerators = rounded(minors)?;
+        let unsure = |numerators: &Form| {
+            let (noise, length) = (mean_noise(numerators), mean_length(numerators));
+            noise > limit * length && noise < length
+        };
+        let (given, origin) = (&local.given[place], &local.origin);
+        if unsure(&numerators) {
+            let twofold: Form<Guarded<Twofold>> = sharply_seen(given, origin)?;
+            numerators = with_noise(element.minors(&twofold)?, LOST_TWOFOLD)?;
+        }
+        if unsure(&numerators) {
+            numerators = rounded(element.minors(&sharply_seen(given, origin)?)?)?;
         }
         let mut density = Self {
             numerators,
@@ -155,22 +174,18 @@ impl Density {
     }
 }
 
-fn guarded(form: &Form) -> Result<Form<Guarded>> {
-    form.map_scalar(|x| Guarded::from(*x))
-}
-
-/// The numerators, and as weights the error that rounding may have left in each.
-fn with_noise(minors: Minors<Guarded>) -> Result<Form> {
+/// The numerators, and as weights the error that rounding may have left in each: the share `lost` of
+/// what went into it, and its own last rounding.
+fn with_noise<V: Scalar>(minors: Minors<Guarded<V>>, lost: f64) -> Result<Form> {
     let form = minors.into_vectors()?;
     let width = form.width();
     let mut poles = Vec::with_capacity(form.homogeneous().len());
     for pole in form.homogeneous().chunks_exact(width) {
         let mut noise = 0.0;
         for x in &pole[..width - 1] {
-            let unsure = ROUNDINGS * f64::EPSILON * x.size;
-            let counts = x.value.abs() > unsure;
-            poles.push(if counts { x.value } else { 0.0 });
-            noise += unsure * unsure;
+            let (value, unsure) = (x.to_f64(), lost * x.size + f64::MIN_POSITIVE);
+            poles.push(if value.abs() > unsure { value } else { 0.0 });
+            noise += (unsure + f64::EPSILON * value.abs()).powi(2);
         }
         poles.push(noise.sqrt());
     }
@@ -186,11 +201,21 @@ pub(crate) fn noisy_determinant(form: &Form) -> Result<Form> {
     if least_weight(&local.pieces[0])? <= 0.0 {
         return Err(infinite());
     }
-    let determinant = with_noise(tangent_minors(&guarded(&local.pieces[0])?)?)?;
-    if determinant.homogeneous().as_chunks::<2>().0.iter().all(|[x, noise]| x.abs() > *noise) {
-        return Ok(determinant);
+    let (given, origin) = (&local.given[0], &local.origin);
+    let sure = |determinant: &Form| {
+        determinant.homogeneous().as_chunks::<2>().0.iter().all(|[x, noise]| x.abs() > *noise)
+    };
+    let plain: Form<Guarded> = local.pieces[0].map_scalar(|x| Guarded::from(*x))?;
+    let plain = with_noise(tangent_minors(&plain)?, LOST)?;
+    if sure(&plain) {
+        return Ok(plain);
     }
-    rounded(tangent_minors(&exactly_seen(&local.given[0], &local.origin)?)?)
+    let twofold: Form<Guarded<Twofold>> = sharply_seen(given, origin)?;
+    let twofold = with_noise(tangent_minors(&twofold)?, LOST_TWOFOLD)?;
+    if sure(&twofold) {
+        return Ok(twofold);
+    }
+    rounded(tangent_minors(&sharply_seen(given, origin)?)?)
 }
 
 /// Exact numerators, each rounded once.
@@ -293,5 +318,29 @@ mod tests {
         // A quarter of a sphere's octant has two components and more.
         let density = density(sphere(&1.0, Part::Octant).unwrap().pieces().unwrap().remove(0));
         assert_eq!(density.factors.concat().iter().sum::<i32>(), 1);
+    }
+
+    /// A rational bicubic whose numbers fill all their digits, computed in three arithmetics.
+    #[test]
+    fn bounds_of_rounding_hold_between_arithmetics() {
+        let number = |k: usize| libm::sin((k * k + 1) as f64);
+        let poles = (0..64).map(|k| if k % 4 == 3 { 1.5 + 0.4 * number(k) } else { number(k) });
+        let form: Form = Form::from_homogeneous(&[4, 4], 3, poles.collect()).unwrap();
+        let plain: Form<Guarded> = form.map_scalar(|x| Guarded::from(*x)).unwrap();
+        let plain = with_noise(Element::Size.minors(&plain).unwrap(), LOST).unwrap();
+        let sharp: Form<Guarded<Twofold>> = sharply_seen(&form, &[0.0; 3]).unwrap();
+        let sharp = with_noise(Element::Size.minors(&sharp).unwrap(), LOST_TWOFOLD).unwrap();
+        let exact: Form<Rational> = sharply_seen(&form, &[0.0; 3]).unwrap();
+        let exact = rounded(Element::Size.minors(&exact).unwrap()).unwrap();
+        for found in [&plain, &sharp] {
+            let poles =
+                found.homogeneous().chunks_exact(4).zip(exact.homogeneous().chunks_exact(4));
+            for (found, exact) in poles {
+                let error: Vec<f64> = (0..3).map(|k| found[k] - exact[k]).collect();
+                assert!(norm(&error) <= found[3] + exact[3], "{found:?} {exact:?}");
+            }
+        }
+        assert!(mean_noise(&sharp) < ROUNDED * mean_length(&sharp));
+        assert!(mean_noise(&plain) > 100.0 * mean_noise(&sharp));
     }
 }

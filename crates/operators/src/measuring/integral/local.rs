@@ -1,6 +1,6 @@
 //! Pieces brought to a size about 1 and seen from near, without loss.
 
-use pforms_kernel::{Error, Form, Rational, Result, Scalar};
+use pforms_kernel::{Error, Form, Result, Scalar};
 
 use crate::algebra::split;
 use crate::measuring::about_one::with_weights_about_one;
@@ -42,11 +42,11 @@ impl Local {
     }
 }
 
-/// The given form in exact numbers, seen from `origin`.
-pub(super) fn exactly_seen(given: &Form, origin: &[f64]) -> Result<Form<Rational>> {
+/// The given form in numbers of more digits, seen from `origin`.
+pub(super) fn sharply_seen<S: Scalar>(given: &Form, origin: &[f64]) -> Result<Form<S>> {
     let width = given.width();
-    let exact = |x: f64| Rational::from_f64(x).unwrap_or_default();
-    let origin: Vec<Rational> = origin.iter().map(|x| exact(*x)).collect();
+    let exact = |x: f64| S::from_f64(x).unwrap_or_else(S::zero);
+    let origin: Vec<S> = origin.iter().map(|x| exact(*x)).collect();
     let mut poles = Vec::with_capacity(given.homogeneous().len());
     for pole in given.homogeneous().chunks_exact(width) {
         let weight = exact(pole[width - 1]);

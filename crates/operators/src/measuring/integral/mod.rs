@@ -71,9 +71,9 @@ fn attempt(
     element: Element,
     moments: usize,
     accuracy: f64,
-    exact: bool,
+    sharp: bool,
 ) -> Result<Integral> {
-    let density = |place| Density::new(local, place, element, accuracy, exact);
+    let density = |place| Density::new(local, place, element, accuracy, sharp);
     let densities = (0..local.pieces.len()).map(density).collect::<Result<Vec<_>>>()?;
     let cells = densities.iter().zip(&local.pieces).enumerate();
     let cells: Vec<Cell> =

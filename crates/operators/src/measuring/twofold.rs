@@ -8,8 +8,8 @@ use pforms_kernel::Scalar;
 ///
 /// Over `f64` about 106 bits (Dekker, *A floating-point technique for extending the available
 /// precision*, Numer. Math. 18, 1971); over exact scalars `low` is 0 and nothing is gained or lost.
-#[derive(Clone, Debug, PartialEq, PartialOrd)]
-pub(crate) struct Twofold<S> {
+#[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
+pub(crate) struct Twofold<S = f64> {
     high: S,
     low: S,
 }
@@ -111,6 +111,9 @@ impl<S: Scalar> Div for Twofold<S> {
     }
 }
 
+/// An integer without these fits the 53 bits of an `f64`.
+const LAST_BITS: i64 = 1 << 11;
+
 impl<S: Scalar> Scalar for Twofold<S> {
     const EXACT: bool = S::EXACT;
 
@@ -123,7 +126,8 @@ impl<S: Scalar> Scalar for Twofold<S> {
     }
 
     fn from_integer(value: i64) -> Self {
-        Self::from_plain(S::from_integer(value))
+        let low = value % LAST_BITS;
+        Self::sum(S::from_integer(value - low), S::from_integer(low))
     }
 
     fn from_f64(value: f64) -> Option<Self> {
@@ -155,5 +159,15 @@ mod tests {
         let power = third.power(40);
         let error = exact(power.high) + exact(power.low) - Rational::ratio(1, 3).power(40);
         assert!((error / Rational::ratio(1, 3).power(40)).to_f64().abs() < 1e-29);
+    }
+
+    #[test]
+    fn integers_are_exact() {
+        for value in [i64::MAX, i64::MIN, (1 << 53) + 1, -7, 0] {
+            let twofold = Twofold::<f64>::from_integer(value);
+            let parts = [twofold.high, twofold.low].map(|x| Rational::from_f64(x).unwrap());
+            let [high, low] = parts;
+            assert_eq!(high + low, <Rational as Scalar>::from_integer(value));
+        }
     }
 }
