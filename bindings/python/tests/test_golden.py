@@ -158,11 +158,13 @@ def joint(f, *more, part=None, **options):
     return record[part] if part else record
 
 
-def through(f, *more, parameters="chord", **options):
+def through(f, *more, **options):
     at = more[1:]
     if "tangents" in options:
         options["tangents"] = options["tangents"].poles
-    spline = pf.interpolating_spline(f, *more[:1], params=parameters, **options)
+    if "parameters" in options:
+        options["params"] = options.pop("parameters")
+    spline = pf.interpolating_spline(f, *more[:1], **options)
     return spline(*at) if at else spline.net
 
 
