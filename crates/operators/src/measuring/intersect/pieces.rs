@@ -2,15 +2,9 @@
 
 use pforms_kernel::{Form, Result};
 
-use super::answer::{Contact, Intersections, Overlap, Undecided, sort};
+use super::answer::{Contact, ContactKind, Intersections, Overlap, Undecided, sort};
 use crate::Shape;
-
-/// A piece and where its window lies.
-struct Piece {
-    form: Form,
-    window: Vec<(f64, f64)>,
-    hull: Option<Vec<(f64, f64)>>,
-}
+use crate::measuring::patches::{Patch, patches};
 
 /// Parameters are the same if they differ by less than this share of a window.
 const SAME: f64 = 1e-11;
@@ -27,7 +21,7 @@ pub(super) fn pairwise(
     if let (Shape::Form(a), Shape::Form(b)) = (first, second) {
         return meet(a, b);
     }
-    let (ours, theirs) = (pieces(first)?, pieces(second)?);
+    let (ours, theirs) = (patches(first)?, patches(second)?);
     let mut all = Intersections { complete: true, ..Intersections::default() };
     for a in &ours {
         for b in &theirs {
@@ -38,13 +32,13 @@ pub(super) fn pairwise(
             all.complete &= found.complete;
             all.contacts.extend(found.contacts.into_iter().map(|c| placed(c, a, b)));
             all.overlaps.extend(found.overlaps.into_iter().map(|o| Overlap {
-                first: o.first.map(|t| at(a, &t)),
-                second: o.second.map(|t| at(b, &t)),
+                first: o.first.map(|t| a.whole(&t)),
+                second: o.second.map(|t| b.whole(&t)),
                 ..o
             }));
             all.undecided.extend(found.undecided.into_iter().map(|u| Undecided {
-                first: u.first.map(|t| at(a, &t)),
-                second: u.second.map(|t| at(b, &t)),
+                first: u.first.map(|t| a.whole(&t)),
+                second: u.second.map(|t| b.whole(&t)),
             }));
         }
     }
@@ -55,7 +49,6 @@ pub(super) fn pairwise(
 /// Tells once what was found from several pieces.
 pub(super) fn merge(all: &mut Intersections) {
     sort(&mut all.contacts);
-    join(&mut all.overlaps);
     let mut told: Vec<Contact> = Vec::with_capacity(all.contacts.len());
     for contact in all.contacts.drain(..) {
         if all.overlaps.iter().any(|overlap| holds(overlap, &contact)) {
@@ -68,6 +61,7 @@ pub(super) fn merge(all: &mut Intersections) {
         }
     }
     all.contacts = told;
+    join(&mut all.overlaps);
 }
 
 fn better(a: &Contact, b: &Contact) -> bool {
@@ -82,17 +76,24 @@ fn same(a: &Contact, b: &Contact) -> bool {
     near(&a.first, &b.first) && near(&a.second, &b.second)
 }
 
-/// Is a contact of curves a point of an overlap?
-fn holds(overlap: &Overlap, contact: &Contact) -> bool {
+/// Is a contact of curves a point of an overlap? Where a curve crosses itself its parameters lie in it, but
+/// not side by side.
+pub(super) fn holds(overlap: &Overlap, contact: &Contact) -> bool {
     let share = |[from, to]: &[Vec<f64>; 2], t: &[f64]| match (&from[..], &to[..], t) {
         ([from], [to], [t]) => {
             let slack = contact.error + 1e-9 * (to - from).abs();
-            from.min(*to) - slack <= *t && *t <= from.max(*to) + slack
+            let inside = from.min(*to) - slack <= *t && *t <= from.max(*to) + slack;
+            inside.then(|| if from == to { 0.0 } else { (t - from) / (to - from) })
         }
-        _ => false,
+        _ => None,
     };
-    share(&overlap.first, &contact.first) && share(&overlap.second, &contact.second)
+    let shares = [share(&overlap.first, &contact.first), share(&overlap.second, &contact.second)];
+    let [Some(s), Some(t)] = shares else { return false };
+    contact.kind != ContactKind::Crossing || (s - t).abs() < BESIDE
 }
+
+/// Shares of an overlap that belong to one place differ by less, however it is run through.
+const BESIDE: f64 = 0.05;
 
 /// Joins overlaps that go on from one piece to the next.
 fn join(overlaps: &mut Vec<Overlap>) {
@@ -121,62 +122,23 @@ fn join(overlaps: &mut Vec<Overlap>) {
     *overlaps = joined;
 }
 
-fn placed(contact: Contact, a: &Piece, b: &Piece) -> Contact {
+fn placed(contact: Contact, a: &Patch, b: &Patch) -> Contact {
     let widest =
         a.window.iter().chain(&b.window).fold(0.0_f64, |most, (from, to)| most.max(to - from));
     Contact {
-        first: at(a, &contact.first),
-        second: at(b, &contact.second),
+        first: a.whole(&contact.first),
+        second: b.whole(&contact.second),
         error: contact.error * widest,
         ..contact
     }
 }
 
-/// Exactly the break where two pieces meet, so that they agree on it.
-fn at(piece: &Piece, local: &[f64]) -> Vec<f64> {
-    let ends = local.iter().zip(&piece.window);
-    ends.map(|(t, (from, to))| if *t == 1.0 { *to } else { from + t * (to - from) }).collect()
-}
-
-fn pieces(shape: &Shape) -> Result<Vec<Piece>> {
-    let piece = |form: Form, window| Piece { hull: hull(&form), form, window };
-    let spline = match shape {
-        Shape::Form(form) => return Ok(vec![piece(form.clone(), vec![(0.0, 1.0); form.axes()])]),
-        Shape::Spline(spline) => spline,
-    };
-    let (breaks, counts) = (spline.breaks(), spline.counts());
-    let forms = spline.pieces()?.into_iter().enumerate();
-    Ok(forms
-        .map(|(mut rest, form)| {
-            let sides = counts.iter().zip(&breaks).rev();
-            let mut window: Vec<(f64, f64)> = sides
-                .map(|(count, list)| {
-                    let i = rest % count;
-                    rest /= count;
-                    (list[i], list[i + 1])
-                })
-                .collect();
-            window.reverse();
-            piece(form, window)
-        })
-        .collect())
-}
-
-/// The box of the poles; none if their weights have not one sign.
-fn hull(form: &Form) -> Option<Vec<(f64, f64)>> {
-    let (poles, last) = (form.homogeneous().chunks_exact(form.width()), form.ambient());
-    let one_sign =
-        poles.clone().all(|pole| pole[last] > 0.0) || poles.clone().all(|pole| pole[last] < 0.0);
-    let ends = |k: usize| {
-        let values = poles.clone().map(|pole| pole[k] / pole[last]);
-        values.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| (a.min(x), b.max(x)))
-    };
-    one_sign.then(|| (0..last).map(ends).collect())
-}
-
 /// Are the boxes of two pieces clearly apart?
-fn are_apart(a: &Piece, b: &Piece, margin: f64) -> bool {
-    let (Some(p), Some(q)) = (&a.hull, &b.hull) else { return false };
-    let reach = p.iter().chain(q).fold(0.0_f64, |most, (x, y)| most.max(x.abs()).max(y.abs()));
-    p.iter().zip(q).any(|(x, y)| (x.0 - y.1).max(y.0 - x.1) > margin + 1e-9 * reach)
+fn are_apart(a: &Patch, b: &Patch, margin: f64) -> bool {
+    let sides = a.hull.iter().zip(&b.hull);
+    let reach = a.hull.iter().chain(&b.hull);
+    // Without bound where weights have not one sign.
+    let reach = reach.fold(0.0_f64, |most, (x, y)| most.max(x.abs()).max(y.abs()));
+    reach.is_finite()
+        && sides.into_iter().any(|(x, y)| (x.0 - y.1).max(y.0 - x.1) > margin + 1e-9 * reach)
 }

@@ -1,9 +1,10 @@
 //! Projection onto splines: the nearest of the feet on all pieces that could be near enough.
 
-use pforms_kernel::{Error, Form, Result};
+use pforms_kernel::{Error, Result};
 
 use super::{Projection, Projector};
 use crate::Spline;
+use crate::measuring::patches::{Patch, patches, size};
 
 /// A spline made ready for projection: each of its pieces.
 pub struct SplineProjector {
@@ -16,10 +17,7 @@ pub struct SplineProjector {
 
 struct Piece {
     projector: Projector,
-    /// The least and the greatest of each coordinate of the poles: the piece lies between.
-    hull: Vec<(f64, f64)>,
-    /// Where its window begins and ends along each axis.
-    window: Vec<(f64, f64)>,
+    patch: Patch,
 }
 
 impl SplineProjector {
@@ -27,36 +25,11 @@ impl SplineProjector {
     ///
     /// Errors: those of [`Projector::new`] for any of the pieces.
     pub fn new(spline: &Spline, accuracy: f64) -> Result<Self> {
-        let (breaks, counts) = (spline.breaks(), spline.counts());
-        let mut pieces = Vec::with_capacity(counts.iter().product());
-        for (number, form) in spline.pieces()?.iter().enumerate() {
-            let mut rest = number;
-            let mut window: Vec<(f64, f64)> = counts
-                .iter()
-                .zip(&breaks)
-                .rev()
-                .map(|(count, list)| {
-                    let i = rest % count;
-                    rest /= count;
-                    (list[i], list[i + 1])
-                })
-                .collect();
-            window.reverse();
-            pieces.push(Piece {
-                projector: Projector::new(form, accuracy)?,
-                hull: hull(form),
-                window,
-            });
-        }
-        let sides = (0..spline.ambient()).map(|k| {
-            let ends = pieces.iter().map(|piece| piece.hull[k]);
-            let (low, high) = ends
-                .fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), (low, high)| {
-                    (a.min(low), b.max(high))
-                });
-            high - low
-        });
-        let size = sides.fold(0.0_f64, f64::hypot);
+        let patches = patches(&spline.clone().into())?;
+        let size = size(&patches);
+        let piece =
+            |patch: Patch| Ok(Piece { projector: Projector::new(&patch.form, accuracy)?, patch });
+        let pieces = patches.into_iter().map(piece).collect::<Result<Vec<_>>>()?;
         let (axes, ambient) = (spline.axes(), spline.ambient());
         Ok(Self { pieces, axes, ambient, tie: accuracy * size })
     }
@@ -115,14 +88,9 @@ impl SplineProjector {
 
     /// The answer number `k` of those of a piece.
     fn foot(&self, piece: usize, found: &Projection, k: usize) -> Foot {
-        let window = &self.pieces[piece].window;
         let local = &found.parameters[k * self.axes..(k + 1) * self.axes];
-        let ends = local.iter().zip(window);
-        // Exactly the break where two pieces meet, so that they agree on it.
-        let global =
-            ends.map(|(t, (from, to))| if *t == 1.0 { *to } else { from + t * (to - from) });
         Foot {
-            parameters: global.collect(),
+            parameters: self.pieces[piece].patch.whole(local),
             point: found.points[k * self.ambient..(k + 1) * self.ambient].to_vec(),
             distance: found.distances[k],
             gap: found.gaps[k],
@@ -135,25 +103,10 @@ impl Piece {
     /// A length below the distance of every point of the piece; 0 when nothing is known.
     fn distance(&self, point: &[f64]) -> f64 {
         let outside = |(x, (low, high)): (&f64, &(f64, f64))| (low - x).max(x - high).max(0.0);
-        let squares = point.iter().zip(&self.hull).map(outside);
+        let squares = point.iter().zip(&self.patch.hull).map(outside);
         // Less a few roundings, of this and of the poles.
         squares.fold(0.0, f64::hypot) * (1.0 - 1e-12)
     }
-}
-
-/// The box of the poles, which holds the form as its weights have one sign.
-fn hull(form: &Form) -> Vec<(f64, f64)> {
-    let (poles, last) = (form.homogeneous().chunks_exact(form.width()), form.ambient());
-    let one_sign =
-        poles.clone().all(|pole| pole[last] > 0.0) || poles.clone().all(|pole| pole[last] < 0.0);
-    if !one_sign {
-        return vec![(f64::NEG_INFINITY, f64::INFINITY); last];
-    }
-    let coordinate = |k: usize| poles.clone().map(move |pole| pole[k] / pole[last]);
-    let ends = |k: usize| {
-        coordinate(k).fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| (a.min(x), b.max(x)))
-    };
-    (0..last).map(ends).collect()
 }
 
 /// The way to the foot of one point.

@@ -1,78 +1,124 @@
-//! Contacts of high order that rounding of the poles has blurred: how the curves part from each other
-//! tells the order they had.
+//! Contacts of high order that rounding of the poles has blurred.
 //!
 //! Where a contact of order `n` was moved by `ε`, the exact curves cross once or more within `ε^(1/n)`, or
-//! not at all. Farther away they part as `xⁿ`: distances doubled multiply the gap by `2ⁿ`.
+//! not at all. But the equation of one along the other still has `n` roots close together there, complex ones
+//! among them, and their mean is the place of the contact.
 
 use pforms_kernel::Form;
 
 use super::closest::{Near, closest, jet};
-use crate::measuring::intersect::answer::{Contact, ContactKind};
+use crate::measuring::intersect::answer::{Contact, ContactKind, sort};
+use crate::measuring::intersect::exact::{Around, Cluster, Meetings};
+use crate::measuring::vector::norm;
 
-/// Gaps that are looked at, in margins: far above what blurs.
-const LEVEL: f64 = 1024.0;
+/// A gap that is more than blur, in margins.
+const LEVEL: f64 = 16.0;
 
 /// Farther from a contact than this other terms count too.
-const REACH: f64 = 1.0 / 32.0;
+const REACH: f64 = 0.25;
 
-/// The contact of the order that the curves show around it, if that is not a crossing: in its middle.
-pub(super) fn sharpened(a: &Form, b: &Form, contact: &Contact, margin: f64) -> Option<Contact> {
-    let (s, t) = (contact.first[0], contact.second[0]);
-    let sides = [-1.0, 1.0].map(|side| parting(a, b, [s, t], side, LEVEL * margin));
-    let order = match sides {
-        [Some(left), Some(right)] if left.order == right.order => left.order,
-        [Some(only), None] | [None, Some(only)] => only.order,
-        _ => return None,
-    };
-    if order < 2 {
-        return None;
+/// Contacts that are one up to the margin are told as one, with their order together.
+pub(super) fn gather(
+    a: &Form,
+    b: &Form,
+    equations: &Meetings,
+    contacts: &mut Vec<Contact>,
+    margin: f64,
+) {
+    let mut waiting: Vec<[f64; 2]> = Vec::new();
+    for contact in contacts.iter().filter(|c| !(c.proved && c.order > 1)) {
+        waiting.push([contact.first[0], contact.second[0]]);
     }
-    // Both sides part by the same: their middle is the place, as far as the curves are even or odd there.
-    let middle = match sides {
-        [Some(left), Some(right)] => (s + 0.5 * (right.reach - left.reach)).clamp(0.0, 1.0),
-        _ => s,
-    };
-    let near = foot(a, b, middle, t);
-    (near.gap <= margin).then(|| Contact {
-        first: vec![near.s],
-        second: vec![near.t],
-        point: jet(a, near.s).0,
+    let mut gathered: Vec<Contact> = Vec::new();
+    for [s, t] in waiting {
+        if gathered.iter().any(|whole| holds(whole, s, t)) {
+            continue;
+        }
+        if let Some(mut whole) = gathered_at(a, b, equations, [s, t], margin) {
+            let meets = |c: &Contact| c.proved && holds(&whole, c.first[0], c.second[0]);
+            if contacts.iter().any(meets) {
+                whole.gap = 0.0;
+            }
+            contacts.retain(|c| !holds(&whole, c.first[0], c.second[0]));
+            gathered.push(whole);
+        }
+    }
+    contacts.append(&mut gathered);
+    sort(contacts);
+}
+
+fn holds(whole: &Contact, s: f64, t: f64) -> bool {
+    let reach = whole.error + f64::EPSILON;
+    (whole.first[0] - s).abs() <= reach && (whole.second[0] - t).abs() <= reach
+}
+
+/// The contact of an order above 1 around a place, if there is one up to the margin.
+fn gathered_at(
+    a: &Form,
+    b: &Form,
+    equations: &Meetings,
+    [s, t]: [f64; 2],
+    margin: f64,
+) -> Option<Contact> {
+    let on_a = |near: f64| move |s: f64| foot(a, b, s, near).gap;
+    let on_b = |near: f64| move |t: f64| foot(b, a, t, near).gap;
+    // In space curves have the contact that they have in every view.
+    let mut least: Option<[Cluster; 2]> = None;
+    for [of_s, of_t] in equations.around(s, t) {
+        let faint = |p: &Cluster, q: &Cluster| {
+            p.count == q.count
+                && is_faint(&of_s, p, on_a(t), margin)
+                && is_faint(&of_t, q, on_b(s), margin)
+        };
+        let pair = of_s.clusters().find_map(|p| {
+            let other = of_t.clusters().find(|q| faint(&p, q));
+            other.map(|q| [p, q])
+        })?;
+        if least.is_none_or(|known| pair[0].count < known[0].count) {
+            least = Some(pair);
+        }
+    }
+    let [p, q] = least?;
+    let mut place = [p.centre, q.centre].map(|x| x.clamp(0.0, 1.0));
+    let mut gap = distance(a, b, place);
+    if gap > margin {
+        let near = foot(a, b, place[0], place[1]);
+        (place, gap) = ([near.s, near.t], near.gap);
+    }
+    (gap <= margin).then(|| Contact {
+        first: vec![place[0]],
+        second: vec![place[1]],
+        point: jet(a, place[0]).0,
         kind: ContactKind::Tangent,
-        order,
-        gap: near.gap,
-        error: contact.error.max((middle - s).abs()).max(f64::EPSILON),
+        order: p.count,
+        gap,
+        error: p.radius.max(q.radius).max(f64::EPSILON),
         proved: false,
     })
 }
 
-#[derive(Clone, Copy)]
-struct Parting {
-    order: usize,
-    reach: f64,
+/// Does the other curve stay within the margin of this one among the roots of a cluster? How the equation
+/// compares with distances is measured farther away, where these are more than rounding.
+fn is_faint(equation: &Around, cluster: &Cluster, gap: impl Fn(f64) -> f64, margin: f64) -> bool {
+    let mut reach = 4.0 * cluster.radius;
+    while reach <= REACH {
+        for place in [cluster.centre + reach, cluster.centre - reach] {
+            let distance = if (0.0..=1.0).contains(&place) { gap(place) } else { 0.0 };
+            if distance > LEVEL * margin {
+                return cluster.level * distance <= margin * equation.value(place).abs();
+            }
+        }
+        reach *= 2.0;
+    }
+    false
 }
 
-/// Where, on one side, the curves are apart by `level`, and how they part there.
-fn parting(a: &Form, b: &Form, [s, t]: [f64; 2], side: f64, level: f64) -> Option<Parting> {
-    let gap = |reach: f64| foot(a, b, s + side * reach, t).gap;
-    let inside = |reach: f64| (0.0..=1.0).contains(&(s + side * reach));
-    let mut reach = 1e-9;
-    while gap(reach) < level {
-        reach *= 2.0;
-        if reach > REACH || !inside(2.0 * reach) {
-            return None;
-        }
-    }
-    let (mut low, mut high) = (0.5 * reach, reach);
-    for _ in 0..40 {
-        let middle = 0.5 * (low + high);
-        if gap(middle) < level { low = middle } else { high = middle }
-    }
-    let exponent = libm::log2(gap(2.0 * high) / gap(high));
-    let order = exponent.round();
-    ((exponent - order).abs() < 0.25).then_some(Parting { order: order as usize, reach: high })
+fn distance(a: &Form, b: &Form, [s, t]: [f64; 2]) -> f64 {
+    let (p, q) = (jet(a, s).0, jet(b, t).0);
+    norm(&p.iter().zip(&q).map(|(x, y)| x - y).collect::<Vec<_>>())
 }
 
 /// The nearest place of the second curve.
 fn foot(a: &Form, b: &Form, s: f64, t: f64) -> Near {
-    closest(a, b, [s, t], &[[s, s], [(t - 0.25).max(0.0), (t + 0.25).min(1.0)]])
+    closest(a, b, [s, t], &[[s, s], [(t - REACH).max(0.0), (t + REACH).min(1.0)]])
 }

@@ -3,7 +3,7 @@
 use pforms_kernel::Form;
 
 use super::closest::{Near, closest, jet};
-use crate::measuring::intersect::answer::{Contact, ContactKind, Overlap, Undecided};
+use crate::measuring::intersect::answer::{Contact, ContactKind, Undecided};
 
 /// Two windows of parameters.
 pub(super) type Window = [[f64; 2]; 2];
@@ -88,12 +88,4 @@ pub(super) fn contact(a: &Form, near: &Near, error: f64) -> Contact {
 pub(super) fn undecided(window: &Window) -> Undecided {
     let corners = |[from, to]: [f64; 2]| [vec![from], vec![to]];
     Undecided { first: corners(window[0]), second: corners(window[1]) }
-}
-
-/// Does an arc that is shared explain a window?
-pub(super) fn within(overlap: &Overlap, window: &Window) -> bool {
-    let inside = |[from, to]: &[Vec<f64>; 2], [low, high]: &[f64; 2]| {
-        from[0].min(to[0]) <= low + SMALL && *high <= from[0].max(to[0]) + SMALL
-    };
-    inside(&overlap.first, &window[0]) && inside(&overlap.second, &window[1])
 }

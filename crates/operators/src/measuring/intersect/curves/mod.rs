@@ -12,21 +12,24 @@ mod leftover;
 mod many;
 mod overlap;
 mod part;
-mod plane;
 mod point;
 mod quick;
 mod root;
+mod seam;
 mod searches;
+mod settle;
+mod shared;
+mod touches;
 mod weights;
 
 use pforms_kernel::{Error, Form, Result};
 
-use super::answer::{Contact, ContactKind, Intersections, Overlap, Undecided};
+use super::answer::{Contact, ContactKind, Intersections};
 use super::pieces::{merge, pairwise};
 use crate::measuring::scale::{in_units, unit};
-use crate::{Poles, Shape, stretch};
+use crate::{Poles, Shape};
 use flat::{Flat, live, views};
-use leftover::{Window, contact, contact_in, gathered};
+use leftover::{Window, contact};
 pub use many::{Crossings, intersect_many};
 use quick::Found;
 use root::Root;
@@ -46,6 +49,7 @@ pub(super) fn intersect_curves(
     let second = second.with_net(in_units(second.net(), unit)?)?;
     let margin = margin(&[first.net(), second.net()], accuracy);
     let mut found = pairwise(&first, &second, margin, |a, b| meet(a, b, margin))?;
+    seam::told_once(&first, &second, margin, &mut found)?;
     for contact in &mut found.contacts {
         contact.gap *= unit;
         contact.point.iter_mut().for_each(|x| *x *= unit);
@@ -115,10 +119,9 @@ fn settled(a: &Form, b: &Form, margin: f64) -> Result<Intersections> {
         true => Some(crossing(a, root)),
         false => in_space(a, b, root, margin),
     }));
-    match left.is_empty() {
-        true => {}
-        false if plane => plane::settle(a, b, &views[0], &left, margin, &mut answer)?,
-        false => settle_left(a, b, &left, margin, &mut answer)?,
+    // In space what was found is proved after that.
+    if !left.is_empty() || !(plane || answer.contacts.is_empty()) {
+        settle::settle(a, b, &live, &left, margin, &mut answer)?;
     }
     answer.complete = answer.undecided.is_empty();
     merge(&mut answer);
@@ -144,70 +147,4 @@ fn in_space(a: &Form, b: &Form, root: &Root, margin: f64) -> Option<Contact> {
     let room: Window = [root.s, root.t].map(|x| [(x - 1e-3).max(0.0), (x + 1e-3).min(1.0)]);
     let near = closest::closest(a, b, [root.s, root.t], &room);
     (near.gap <= margin).then(|| contact(a, &near, root.error.max(margin)))
-}
-
-/// What the windows that were left over hold, of curves in space.
-fn settle_left(
-    a: &Form,
-    b: &Form,
-    left: &[Window],
-    margin: f64,
-    answer: &mut Intersections,
-) -> Result<()> {
-    answer.overlaps = overlap::overlaps(a, b, margin)?;
-    if !answer.overlaps.is_empty() {
-        return beside(a, b, margin, answer);
-    }
-    for window in gathered(left) {
-        match contact_in(a, b, &window, margin) {
-            Ok(found) => answer.contacts.extend(found),
-            Err(window) => answer.undecided.push(window),
-        }
-    }
-    Ok(())
-}
-
-/// What curves that share arcs have in common beside them: the rest of the first curve meets the second,
-/// the arcs meet the rest of the second.
-fn beside(a: &Form, b: &Form, margin: f64, answer: &mut Intersections) -> Result<()> {
-    answer.contacts.clear();
-    let arcs = |of: &dyn Fn(&Overlap) -> [f64; 2]| -> Vec<[f64; 2]> {
-        let sorted = |[from, to]: [f64; 2]| [from.min(to), from.max(to)];
-        answer.overlaps.iter().map(|overlap| sorted(of(overlap))).collect()
-    };
-    let first = arcs(&|o| [o.first[0][0], o.first[1][0]]);
-    let second = arcs(&|o| [o.second[0][0], o.second[1][0]]);
-    let mut pairs: Vec<Window> = rest(&first).into_iter().map(|s| [s, [0.0, 1.0]]).collect();
-    let others = rest(&second);
-    pairs.extend(first.iter().flat_map(|s| others.iter().map(move |t| [*s, *t])));
-    for [s, t] in pairs {
-        let (p, q) = (stretch(a, &s[..1], &s[1..])?, stretch(b, &t[..1], &t[1..])?);
-        let found = settled(&p, &q, margin)?;
-        let at = |[from, to]: [f64; 2], x: &[f64]| vec![from + x[0] * (to - from)];
-        answer.contacts.extend(found.contacts.into_iter().map(|c| Contact {
-            first: at(s, &c.first),
-            second: at(t, &c.second),
-            ..c
-        }));
-        answer.undecided.extend(found.undecided.into_iter().map(|u| Undecided {
-            first: u.first.map(|x| at(s, &x)),
-            second: u.second.map(|x| at(t, &x)),
-        }));
-    }
-    Ok(())
-}
-
-/// What is left of the window from 0 to 1.
-fn rest(arcs: &[[f64; 2]]) -> Vec<[f64; 2]> {
-    let mut sorted = arcs.to_vec();
-    sorted.sort_by(|x, y| x[0].total_cmp(&y[0]));
-    let mut rest = Vec::new();
-    let mut from = 0.0;
-    for [start, end] in sorted {
-        rest.push([from, start]);
-        from = f64::max(from, end);
-    }
-    rest.push([from, 1.0]);
-    rest.retain(|[from, to]| to - from > 1e-9);
-    rest
 }

@@ -8,19 +8,12 @@ use super::polynomial::Polynomial;
 /// A plane curve `X : Y : W` with whole coefficients, without common factor.
 #[derive(Clone, Debug)]
 pub(super) struct ExactCurve {
-    pub parts: [Polynomial; 3],
+    parts: [Polynomial; 3],
     pub degree: usize,
 }
 
 impl ExactCurve {
-    /// From homogeneous poles in floating arithmetic, each coordinate a whole number of units.
-    pub(super) fn new(poles: &[[f64; 3]]) -> Self {
-        let exponent = poles.iter().flatten().map(|x| lowest_bit(*x)).min().unwrap_or(0);
-        let part = |k: usize| {
-            let values: Vec<BigInt> = poles.iter().map(|p| whole(p[k], exponent)).collect();
-            powers(values)
-        };
-        let mut parts = [part(0), part(1), part(2)];
+    fn new(mut parts: [Polynomial; 3]) -> Self {
         let common = parts[0].gcd(&parts[1]).gcd(&parts[2]);
         if common.degree() > 0 {
             parts = parts.map(|part| divided(&part, &common));
@@ -30,13 +23,64 @@ impl ExactCurve {
     }
 
     /// The homogeneous point at `n/2ᵏ`, times a power of two.
-    pub(super) fn at(&self, n: &BigInt, k: u64) -> [BigInt; 3] {
+    fn at(&self, n: &BigInt, k: u64) -> [BigInt; 3] {
         [0, 1, 2].map(|i| self.parts[i].scaled_at(n, k, self.degree))
+    }
+
+    /// Its coordinates, the weight last.
+    pub(super) fn whole(&self) -> &[Polynomial] {
+        &self.parts
     }
 
     fn coefficient(&self, i: usize) -> [BigInt; 3] {
         [0, 1, 2].map(|k| self.parts[k].coefficient(i))
     }
+}
+
+/// A curve of any space: its coordinates with whole coefficients, the weight last.
+pub(super) struct Coordinates(Vec<Polynomial>);
+
+impl Coordinates {
+    /// Some coordinates of homogeneous poles in floating arithmetic, each a whole number of units.
+    pub(super) fn new(poles: &[Vec<f64>]) -> Self {
+        let exponent = poles.iter().flatten().map(|x| lowest_bit(*x)).min().unwrap_or(0);
+        let width = poles.first().map_or(0, Vec::len);
+        let part = |k: usize| powers(poles.iter().map(|p| whole(p[k], exponent)).collect());
+        Self((0..width).map(part).collect())
+    }
+
+    /// All of them.
+    pub(super) fn whole(&self) -> &[Polynomial] {
+        &self.0
+    }
+
+    /// As seen in a plane: there is one view of a plane, and [`VIEWS`] of a space.
+    pub(super) fn seen(&self, view: usize) -> ExactCurve {
+        let Some((weight, rest)) = self.0.split_last() else {
+            return ExactCurve::new([0, 1, 2].map(|_| Polynomial::new(Vec::new())));
+        };
+        let sum = |row: usize| match rest.len() {
+            0..=2 => rest.get(row).cloned().unwrap_or_else(|| Polynomial::new(Vec::new())),
+            _ => rest.iter().enumerate().fold(Polynomial::new(Vec::new()), |sum, (i, part)| {
+                sum.plus(part, slant(view, row, i))
+            }),
+        };
+        ExactCurve::new([sum(0), sum(1), weight.clone()])
+    }
+
+    /// Ways of seeing it.
+    pub(super) fn views(&self) -> usize {
+        if self.0.len() > 3 { VIEWS } else { 1 }
+    }
+}
+
+/// Ways of seeing a space in a plane: what meets in three of them, at the same parameters, meets.
+const VIEWS: usize = 3;
+
+/// Coefficients of the views, as odd as any.
+fn slant(view: usize, row: usize, coordinate: usize) -> i64 {
+    let root = (31 * coordinate + 17 * view + 7 * row + 3) as i64;
+    root * root % 23 - 11
 }
 
 /// The exact quotient by a primitive divisor: contents are kept in proportion by Gauss's lemma.

@@ -36,6 +36,11 @@ impl Polynomial {
         self.0.is_empty()
     }
 
+    /// Is it a number other than 0?
+    pub(super) fn is_constant(&self) -> bool {
+        self.0.len() == 1
+    }
+
     /// Divided by the greatest common divisor of its coefficients, the last made positive.
     pub(super) fn primitive(mut self) -> Self {
         let mut content = BigInt::zero();
@@ -61,29 +66,16 @@ impl Polynomial {
         Self::new(terms.map(|(i, c)| c * BigInt::from(i)).collect())
     }
 
+    /// The sum with a multiple of another.
+    pub(super) fn plus(&self, other: &Self, times: i64) -> Self {
+        let length = self.0.len().max(other.0.len());
+        let sum = |i: usize| self.coefficient(i) + other.coefficient(i) * times;
+        Self::new((0..length).map(sum).collect())
+    }
+
     fn minus(&self, other: &Self) -> Self {
         let length = self.0.len().max(other.0.len());
         Self::new((0..length).map(|i| self.coefficient(i) - other.coefficient(i)).collect())
-    }
-
-    /// The remainder of a division in which nothing becomes a fraction, up to a factor.
-    fn remainder(&self, by: &Self) -> Self {
-        let mut rest = self.0.clone();
-        let Some(lead) = by.0.last() else { return self.clone() };
-        while rest.len() >= by.0.len() {
-            let Some(top) = rest.pop() else { break };
-            if top.is_zero() {
-                continue;
-            }
-            let shift = rest.len() + 1 - by.0.len();
-            for c in &mut rest {
-                *c *= lead;
-            }
-            for (i, c) in by.0[..by.0.len() - 1].iter().enumerate() {
-                rest[shift + i] -= &top * c;
-            }
-        }
-        Self::new(rest)
     }
 
     /// The quotient of an exact division of primitive polynomials.
@@ -103,26 +95,30 @@ impl Polynomial {
         Self::new(quotient)
     }
 
-    /// The greatest common divisor, primitive.
-    ///
-    /// Mostly there is none, which shows in remainders by a prime: no root modulo the prime can be hidden
-    /// from it as long as a leading coefficient is not divisible by it.
-    pub(super) fn gcd(&self, other: &Self) -> Self {
-        if modular::are_coprime(&self.0, &other.0) {
-            return Self(vec![BigInt::one()]);
-        }
-        let (mut a, mut b) = (self.clone().primitive(), other.clone().primitive());
-        if a.degree() < b.degree() || a.is_zero() {
-            std::mem::swap(&mut a, &mut b);
-        }
-        while !b.is_zero() {
-            if b.degree() == 0 {
-                return Self(vec![BigInt::one()]);
+    /// Does it divide another without remainder, in whole numbers?
+    pub(super) fn divides(&self, other: &Self) -> bool {
+        let (mut rest, Some(lead)) = (other.0.clone(), self.0.last()) else { return false };
+        while rest.len() >= self.0.len() {
+            let Some(top) = rest.pop() else { break };
+            let (factor, left) = top.div_rem(lead);
+            if !left.is_zero() {
+                return false;
             }
-            let rest = a.remainder(&b).primitive();
-            a = std::mem::replace(&mut b, rest);
+            let shift = rest.len() + 1 - self.0.len();
+            for (i, c) in self.0[..self.0.len() - 1].iter().enumerate() {
+                rest[shift + i] -= &factor * c;
+            }
         }
-        a
+        rest.iter().all(Zero::is_zero)
+    }
+
+    /// The greatest common divisor, primitive.
+    pub(super) fn gcd(&self, other: &Self) -> Self {
+        match (self.is_zero(), other.is_zero()) {
+            (true, _) => other.clone().primitive(),
+            (_, true) => self.clone().primitive(),
+            _ => modular::gcd(self, other),
+        }
     }
 
     /// Factors without multiple roots, and how often each occurs (Yun 1976).

@@ -1,5 +1,9 @@
 //! The messages of the kernel's family of errors in French.
 
+mod measures;
+mod patterns;
+mod phrases;
+
 use pforms_kernel::{Error, Fault, Place, limit};
 
 /// The message of an error; what the caller wrote and numbers stay as they are.
@@ -27,8 +31,12 @@ fn of_fault(Fault { argument, received, expected }: &Fault) -> String {
     format!("{argument} : reçu {}, attendu {}", phrase(received), phrase(expected))
 }
 
-/// Turns the phrases of the kernel and the operators into French, longest first.
+/// Turns the phrases of the kernel and the operators into French: a whole one if it is known, else
+/// part by part, longest first.
 fn phrase(english: &str) -> String {
+    if let Some(french) = patterns::translated(english, &phrase) {
+        return french;
+    }
     PHRASES.iter().fold(english.to_owned(), |text, (from, to)| text.replace(from, to))
 }
 
