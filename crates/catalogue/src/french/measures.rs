@@ -35,7 +35,6 @@ pub(super) const PATTERNS: &[(&str, &str)] = &[
         "une plus grossière : les faces sont connues à {} près",
     ),
     ("a coefficient that overflows", "un coefficient qui déborde"),
-    ("a curve in dimension {}", "une courbe en dimension {}"),
     ("a curve or a surface", "une courbe ou une surface"),
     ("a curve, or a surface in dimension {}", "une courbe, ou une surface en dimension {}"),
     ("a direction into the surface", "une direction vers l'intérieur de la surface"),
@@ -74,7 +73,6 @@ pub(super) const PATTERNS: &[(&str, &str)] = &[
     ("a measure of {}, which may be {}", "une mesure de {}, qui est peut-être {}"),
     ("a mesh in dimension {}", "un maillage en dimension {}"),
     ("a number whose derivative is lost here", "un nombre dont la dérivée est perdue ici"),
-    ("a parameter from {} to {}", "un paramètre de {} à {}"),
     ("a point in {}D", "un point en {}D"),
     (
         "a point where the surface has no tangent plane, or a direction that is none there",

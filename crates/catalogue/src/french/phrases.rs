@@ -338,5 +338,10 @@ pub(super) const PATTERNS: &[(&str, &str)] = &[
     ("the net would have {} poles", "le réseau aurait {} pôles"),
     ("the generation would have {} poles", "la génération aurait {} pôles"),
     ("Peano's curve would have {} poles", "la courbe de Peano aurait {} pôles"),
-    ("the {} would have {} poles", "{} aurait {} pôles"),
+    ("the form would have {} poles", "la forme aurait {} pôles"),
+    ("the product would have {} poles", "le produit aurait {} pôles"),
+    ("the result would have {} poles", "le résultat aurait {} pôles"),
+    ("the tiling would have {} poles", "le pavage aurait {} pôles"),
+    ("the partition would have {} poles", "la partition aurait {} pôles"),
+    ("the fit would have {} poles", "l'approche aurait {} pôles"),
 ];

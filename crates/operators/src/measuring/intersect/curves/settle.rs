@@ -78,7 +78,7 @@ pub(super) fn met(a: &Form, meeting: &Meeting) -> Contact {
 const SAME: f64 = 1e-9;
 
 /// A distance that rounding makes of 0, in units of the curves.
-const ROUNDING: f64 = 16.0 * f64::EPSILON;
+const ROUNDING: f64 = 2.0 * f64::EPSILON;
 
 /// Adds what meets in a view of the space, and up to the margin in space.
 fn seen(a: &Form, b: &Form, all: &Meetings, margin: f64, contacts: &mut Vec<Contact>) {
@@ -97,7 +97,8 @@ fn seen(a: &Form, b: &Form, all: &Meetings, margin: f64, contacts: &mut Vec<Cont
             let (s, t) = (c.first[0], c.second[0]);
             (s - near.s).abs() <= SAME && (t - near.t).abs() <= SAME
                 // Beside curves that stay so near many a view sees a meeting.
-                || near.gap > ROUNDING && stay_near(a, b, [s, t], [near.s, near.t], margin)
+                || near.gap > ROUNDING.max(4.0 * c.gap)
+                    && stay_near(a, b, [s, t], [near.s, near.t], margin)
         };
         if !contacts.iter().any(same) {
             contacts.push(contact(a, &near, SAME));

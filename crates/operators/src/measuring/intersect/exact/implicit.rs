@@ -32,6 +32,12 @@ impl ExactCurve {
         &self.parts
     }
 
+    /// The length of its longest coefficient.
+    fn bits(&self) -> u64 {
+        let all = self.parts.iter().flat_map(Polynomial::coefficients);
+        all.map(BigInt::bits).max().unwrap_or(0)
+    }
+
     fn coefficient(&self, i: usize) -> [BigInt; 3] {
         [0, 1, 2].map(|k| self.parts[k].coefficient(i))
     }
@@ -175,6 +181,15 @@ impl Equation {
         let odd = |text: &[u8]| BigInt::from_bytes_be(num_bigint::Sign::Plus, text);
         self.at(&[odd(b"an odd abscissa 1"), odd(b"and ordinate 2"), odd(b"weight 3")]).is_zero()
     }
+}
+
+/// About how many nanoseconds it takes to have the equation of one curve along another: so many
+/// determinants of so many products of so many digits.
+pub(super) fn work(one: &ExactCurve, other: &ExactCurve) -> f64 {
+    let [n, m] = [one, other].map(|curve| curve.degree as f64);
+    let bits = 2.0 * one.bits() as f64 + other.bits() as f64 + 6.0 * m;
+    let digits = n * bits / 64.0;
+    n * m * (n * n * n / 3.0) * libm::pow(digits, 1.6).max(64.0)
 }
 
 fn cross(a: &[BigInt; 3], b: &[BigInt; 3]) -> [BigInt; 3] {

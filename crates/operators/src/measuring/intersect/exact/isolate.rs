@@ -1,7 +1,7 @@
 //! The roots of a polynomial in `[0, 1]`, each in a window of its own (Vincent, Collins, Akritas).
 
 use num_bigint::{BigInt, Sign};
-use num_traits::{One, ToPrimitive, Zero};
+use num_traits::{One, Signed, ToPrimitive, Zero};
 
 use super::polynomial::Polynomial;
 
@@ -27,19 +27,57 @@ impl RealRoot {
         low.to_f64().unwrap_or(0.0) * scale
     }
 
-    /// Halved until it has [`BITS`] places.
+    /// Narrowed until it has [`BITS`] places: to the share of the window where the chord is 0, and so to
+    /// twice as many places each time, or to a half of it when that fails (J. Abbott 2006).
     fn refined(mut self, polynomial: &Polynomial, before: Sign) -> Self {
+        let mut bits = 2_u64;
         while !self.exact && self.k < BITS {
-            self.low <<= 1_u32;
-            self.k += 1;
-            let middle: BigInt = &self.low + BigInt::one();
-            match polynomial.sign_at(&middle, self.k) {
-                Sign::NoSign => (self.low, self.exact) = (middle, true),
-                sign if sign == before => self.low = middle,
-                _ => {}
+            if self.on_chord(polynomial, before, bits.min(BITS - self.k)) {
+                bits = (2 * bits).min(BITS);
+            } else {
+                bits = (bits / 2).max(1);
+                self.halve(polynomial, before);
             }
         }
         self
+    }
+
+    fn halve(&mut self, polynomial: &Polynomial, before: Sign) {
+        self.low <<= 1_u32;
+        self.k += 1;
+        let middle: BigInt = &self.low + BigInt::one();
+        match polynomial.sign_at(&middle, self.k) {
+            Sign::NoSign => (self.low, self.exact) = (middle, true),
+            sign if sign == before => self.low = middle,
+            _ => {}
+        }
+    }
+
+    /// Is the root in the one of `2^bits` parts of the window that the chord passes? Then in that.
+    fn on_chord(&mut self, polynomial: &Polynomial, before: Sign, bits: u64) -> bool {
+        let size = |n: &BigInt| polynomial.scaled_at(n, self.k, polynomial.degree()).abs();
+        let (from, to) = (size(&self.low), size(&(&self.low + BigInt::one())));
+        let whole: BigInt = &from + to;
+        if whole.is_zero() {
+            return false;
+        }
+        let last = (BigInt::one() << bits) - BigInt::one();
+        let part = ((from << bits) / whole).min(last.clone());
+        let (left, k) = ((&self.low << bits) + &part, self.k + bits);
+        let right: BigInt = &left + BigInt::one();
+        // At the ends of the window other roots may be.
+        let sign = |place: &BigInt, at_end: bool, there: Sign| {
+            if at_end { there } else { polynomial.sign_at(place, k) }
+        };
+        let (start, end) =
+            (sign(&left, part.is_zero(), before), sign(&right, part == last, -before));
+        match (start, end) {
+            (Sign::NoSign, _) => (self.low, self.k, self.exact) = (left, k, true),
+            (_, Sign::NoSign) => (self.low, self.k, self.exact) = (right, k, true),
+            _ if start == before && end != before => (self.low, self.k) = (left, k),
+            _ => return false,
+        }
+        true
     }
 }
 
@@ -50,8 +88,8 @@ pub(super) fn real_roots(polynomial: &Polynomial) -> Vec<RealRoot> {
         all.extend(simple_roots(&factor).into_iter().map(|root| RealRoot { times, ..root }));
     }
     all.sort_by(|a, b| {
-        let (x, y) = (&a.low << (BITS - a.k.min(BITS)), &b.low << (BITS - b.k.min(BITS)));
-        x.cmp(&y)
+        let k = a.k.max(b.k);
+        (&a.low << (k - a.k)).cmp(&(&b.low << (k - b.k)))
     });
     all
 }

@@ -15,7 +15,7 @@ use num_bigint::BigInt;
 use num_traits::Zero;
 
 pub(super) use cluster::{Around, Cluster};
-use implicit::{Coordinates, Equation};
+use implicit::{Coordinates, Equation, work};
 use isolate::{BITS, RealRoot, real_roots};
 use polynomial::Polynomial;
 
@@ -23,7 +23,8 @@ use polynomial::Polynomial;
 pub(super) enum Exact {
     /// They are parts of one curve.
     Shared,
-    /// One is run through more than once, or a point, or the degrees are too high.
+    /// One is run through more than once, or a point, or degrees are too high or digits
+    /// too many.
     Unknown,
     /// All their meetings.
     Meetings(Meetings),
@@ -50,6 +51,9 @@ pub(super) struct Meeting {
 /// The product of the degrees, that of the polynomials, at most.
 const DEGREE: usize = 200;
 
+/// Nanoseconds for the equations of one view, about, at most.
+const WORK: f64 = 1e9;
+
 /// Points that agree to so many binary places, in units of the curves, are the same.
 const AGREE: u64 = 100;
 
@@ -61,7 +65,8 @@ pub(super) fn meetings(a: &[Vec<f64>], b: &[Vec<f64>]) -> Exact {
     let mut common = [none(), none()];
     for view in 0..a.views() {
         let (p, q) = (a.seen(view), b.seen(view));
-        if p.degree == 0 || q.degree == 0 || p.degree * q.degree > DEGREE {
+        let high = p.degree * q.degree > DEGREE || work(&p, &q) + work(&q, &p) > WORK;
+        if p.degree == 0 || q.degree == 0 || high {
             return Exact::Unknown;
         }
         let mut pair = [none(), none()];
