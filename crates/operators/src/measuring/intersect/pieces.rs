@@ -135,10 +135,10 @@ fn placed(contact: Contact, a: &Patch, b: &Patch) -> Contact {
 
 /// Are the boxes of two pieces clearly apart?
 fn are_apart(a: &Patch, b: &Patch, margin: f64) -> bool {
-    let sides = a.hull.iter().zip(&b.hull);
+    let mut sides = a.hull.iter().zip(&b.hull);
     let reach = a.hull.iter().chain(&b.hull);
     // Without bound where weights have not one sign.
     let reach = reach.fold(0.0_f64, |most, (x, y)| most.max(x.abs()).max(y.abs()));
     reach.is_finite()
-        && sides.into_iter().any(|(x, y)| (x.0 - y.1).max(y.0 - x.1) > margin + 1e-9 * reach)
+        && sides.any(|(x, y)| (x.0 - y.1).max(y.0 - x.1) > margin + 1e-9 * reach)
 }

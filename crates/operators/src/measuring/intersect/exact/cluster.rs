@@ -73,8 +73,7 @@ impl Around {
         let (mut c, mut centre) = (self.coefficients.clone(), self.place);
         for _ in 0..3 {
             let step = -c[n - 1] / (n as f64 * c[n]);
-            // Not finite where it counts as being nowhere.
-            if !(step.abs() <= 2.0 * WIDEST) {
+            if step.is_nan() || step.abs() > 2.0 * WIDEST {
                 return None;
             }
             shift(&mut c, step);

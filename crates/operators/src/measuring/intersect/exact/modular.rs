@@ -64,7 +64,7 @@ fn balanced(values: &[BigInt], modulus: &BigInt) -> Vec<BigInt> {
 
 /// The largest prime below an odd number or a power of two.
 fn prime_below(number: u64) -> u64 {
-    let mut candidate = if number % 2 == 0 { number - 1 } else { number - 2 };
+    let mut candidate = if number.is_multiple_of(2) { number - 1 } else { number - 2 };
     while !is_prime(candidate) {
         candidate -= 2;
     }
