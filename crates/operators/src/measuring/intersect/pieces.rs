@@ -139,6 +139,5 @@ fn are_apart(a: &Patch, b: &Patch, margin: f64) -> bool {
     let reach = a.hull.iter().chain(&b.hull);
     // Without bound where weights have not one sign.
     let reach = reach.fold(0.0_f64, |most, (x, y)| most.max(x.abs()).max(y.abs()));
-    reach.is_finite()
-        && sides.any(|(x, y)| (x.0 - y.1).max(y.0 - x.1) > margin + 1e-9 * reach)
+    reach.is_finite() && sides.any(|(x, y)| (x.0 - y.1).max(y.0 - x.1) > margin + 1e-9 * reach)
 }

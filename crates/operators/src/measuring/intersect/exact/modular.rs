@@ -36,7 +36,9 @@ pub(super) fn gcd(a: &Polynomial, b: &Polynomial) -> Polynomial {
             return one();
         }
         let unit = field.times(field.residue(&lead), field.inverse(factor[factor.len() - 1]));
-        factor.iter_mut().for_each(|c| *c = field.times(*c, unit));
+        for c in &mut factor {
+            *c = field.times(*c, unit);
+        }
         // More factors modulo a prime than there are: it was an unlucky one, or those before were.
         if !sum.is_empty() && factor.len() > sum.len() {
             continue;
