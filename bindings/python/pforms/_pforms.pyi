@@ -31,6 +31,7 @@ from pforms.records import (
     Network,
     Parallel,
     Pipe,
+    Plank,
     Projection,
     Ratios,
     Simplified,
@@ -136,6 +137,7 @@ __all__ = [
     "pascal",
     "peano",
     "pipe",
+    "planks",
     "polyline",
     "project_to_plane",
     "random_points",
@@ -246,6 +248,14 @@ class Form:
         accuracy: _Number = 1e-10,
         seams: bool = True,
     ) -> Geodesic | Geodesics: ...
+    def planks(
+        self,
+        lines: Geodesic | Connection | Form | Spline | ArrayLike | Sequence[Any],
+        width: _Number,
+        *,
+        accuracy: _Number = 1e-8,
+        marks: bool = True,
+    ) -> Plank | list[Plank]: ...
     @overload
     def deform(self, cage: Form, *, rest: Form | Spline | ArrayLike | None = None) -> Form: ...
     @overload
@@ -587,6 +597,14 @@ class Spline:
         accuracy: _Number = 1e-10,
         seams: bool = True,
     ) -> Geodesic | Geodesics: ...
+    def planks(
+        self,
+        lines: Geodesic | Connection | Form | Spline | ArrayLike | Sequence[Any],
+        width: _Number,
+        *,
+        accuracy: _Number = 1e-8,
+        marks: bool = True,
+    ) -> Plank | list[Plank]: ...
     def deform(
         self, cage: Form | Spline, *, rest: Form | Spline | ArrayLike | None = None
     ) -> Spline: ...
@@ -1443,6 +1461,14 @@ def tangent_developable(curve: Form | ArrayLike, length: _Number = 1.0) -> Form:
 def is_developable(form: Form | Spline | ArrayLike, *, report: Literal[False] = False) -> bool: ...
 @overload
 def is_developable(form: Form | Spline | ArrayLike, *, report: Literal[True]) -> Developability: ...
+def planks(
+    surface: Form | Spline | ArrayLike,
+    lines: Geodesic | Connection | Form | Spline | ArrayLike | Sequence[Any],
+    width: _Number,
+    *,
+    accuracy: _Number = 1e-8,
+    marks: bool = True,
+) -> Plank | list[Plank]: ...
 def geodesic_between(
     surface: Form | Spline | ArrayLike,
     p: ArrayLike,

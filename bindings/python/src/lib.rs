@@ -34,6 +34,7 @@ mod operators;
 mod outputs;
 mod parameters;
 mod piping;
+mod planking;
 mod points;
 mod products;
 mod projecting;
@@ -103,6 +104,8 @@ mod _pforms {
     };
     #[pymodule_export]
     use crate::piping::{pipe, waving_pipe};
+    #[pymodule_export]
+    use crate::planking::planks;
     #[pymodule_export]
     use crate::products::{cross, revolve};
     #[pymodule_export]

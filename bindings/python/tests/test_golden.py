@@ -126,6 +126,22 @@ def straight(f, start, direction, length, *, part="curve", **more):
     return 0.0 if found is None else found
 
 
+def boarded(f, lines, width, *, part="strip", **more):
+    """A plank as the cases ask for it."""
+    boards = pf.planks(f, lines, width, **more)
+    several = isinstance(boards, list)
+    found = []
+    for board in boards if several else [boards]:
+        if part == "crossings":
+            marks = board.marks
+            places = zip(marks.at, marks.angles, marks.others, strict=True)
+            found.append([[at, angle, other + 1] for at, angle, other in places])
+        else:
+            one = getattr(board, part)
+            found.append(one.net if isinstance(one, pf.Spline) else 0.0 if one is None else one)
+    return found if several else found[0]
+
+
 def joining(f, p, q, *, part="curve", **more):
     """A geodesic between two points as the cases ask for it."""
     way = pf.geodesic_between(f, p.poles, q.poles, **more)
@@ -288,6 +304,7 @@ CALLS = {
     "forecast": lambda inner, host: pf.forecast(inner, host),
     "geodesic": straight,
     "geodesic_between": joining,
+    "planks": boarded,
     "gordon": lambda us, vs, u=None, v=None, part="surface", **more: getattr(
         pf.gordon(us, vs, u, v, report=True, **more), part
     ),

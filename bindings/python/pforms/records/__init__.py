@@ -33,6 +33,10 @@ from pforms.records.measures import (
     Measure,
     Ratios,
 )
+from pforms.records.planks import (
+    Marks,
+    Plank,
+)
 from pforms.records.searches import (
     Branch,
     Crossings,
@@ -62,6 +66,7 @@ __all__ = [
     "Inversion",
     "Joined",
     "Length",
+    "Marks",
     "Measure",
     "Mesh",
     "Minimal",
@@ -69,6 +74,7 @@ __all__ = [
     "Overlap",
     "Parallel",
     "Pipe",
+    "Plank",
     "Polyline",
     "Projection",
     "Ratios",

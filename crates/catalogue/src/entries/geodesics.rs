@@ -111,7 +111,7 @@ pub(super) static ENTRIES: &[Operator] = &[Operator {
     ],
     example: "=GEODESIC([[(0, 0, 0), (0, 1, 0)], [(1, 0, 0), (1, 1, 1)]], (0, 0), 0.7, 1)",
     source: "book 0232 and 36; Hairer, Nørsett and Wanner 1993",
-    see: &["project", "segment", "curvature", "unroll"],
+    see: &["project", "segment", "curvature", "planks"],
     call: call!(floating geodesic),
     ..INSIDE
 },

@@ -30,6 +30,7 @@ mod numbers;
 mod offsetting;
 mod pieces;
 mod piping;
+mod planking;
 mod products;
 mod projecting;
 mod quadrics;
@@ -79,6 +80,7 @@ pub(crate) fn all() -> Vec<Operator> {
         differentiating::ENTRIES,
         relaxing::ENTRIES,
         geodesics::ENTRIES,
+        planking::ENTRIES,
         harmony::ENTRIES,
         iterating::ENTRIES,
         transforming::ENTRIES,

@@ -35,8 +35,8 @@ pub use deform::{Rest, deform};
 pub use fit::{Fit, FitOptions, fit};
 pub use fit_parameters::Parameters;
 pub use geodesic::{
-    Arrivals, Connection, Ending, Geodesic, GeodesicOptions, Heading, Minimality, geodesic,
-    geodesic_between, geodesics,
+    Arrivals, Connection, Ending, Geodesic, GeodesicOptions, Heading, Mark, Minimality, Plank,
+    PlankOptions, geodesic, geodesic_between, geodesics, plank_lines, planks,
 };
 pub use golden::golden;
 pub use gordon::{Network, gordon, gordon_network};

@@ -16,6 +16,7 @@ mod curve;
 mod growth;
 mod metric;
 mod number;
+mod planks;
 mod step;
 mod tableau;
 mod trace;
@@ -27,6 +28,7 @@ use crate::measuring::vector::{dot, norm, plus};
 use atlas::{Atlas, Edge};
 pub use between::{Connection, Minimality, geodesic_between};
 pub use bulk::{Arrivals, geodesics};
+pub use planks::{Mark, Plank, PlankOptions, plank_lines, planks};
 use step::State;
 use trace::{Chart, Course, Request, trace};
 
