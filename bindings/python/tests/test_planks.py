@@ -25,7 +25,17 @@ def test_lines_come_in_many_ways():
 
 @pytest.mark.parametrize(
     "lines",
-    [None, 3, "line", [], [None], ["x"], pf.geodesic(SPHERE, [(0.3, 0.2)], (1, 0), 1), {}, (LINE, 1)],
+    [
+        None,
+        3,
+        "line",
+        [],
+        [None],
+        ["x"],
+        pf.geodesic(SPHERE, [(0.3, 0.2)], (1, 0), 1),
+        {},
+        (LINE, 1),
+    ],
 )
 def test_what_is_no_line_is_refused(lines):
     with pytest.raises(pf.PformsError):

@@ -44,7 +44,7 @@ class Plank(NamedTuple):
     """
 
     strip: Spline
-    """In space: along it by the length of its axis, across it from 0 on the right to 1 on the left."""
+    """In space: along it by its length, across it from 0 on the right to 1 on the left."""
     line: Spline
     """Its axis in space, by its length."""
     axis: Form
@@ -66,7 +66,7 @@ class Plank(NamedTuple):
     slant: float
     """The largest angle between a ruling and the square across the board, in radians."""
     strain: float
-    """How much its edges are stretched: 0 but on a straight line of a surface that twists about it."""
+    """How much its edges are stretched: 0 but on a line about which the surface twists."""
     lift: float
     """How far an edge stands off the surface, at most."""
     overhang: float
