@@ -68,7 +68,7 @@ const MOST: usize = 1 << 16;
 
 /// Beside a collapsed side a line may have short pieces, where it goes over a knot, that know their places and not
 /// their directions: those below this share of a stretch.
-const FRAGMENT: f64 = 1e-4;
+const FRAGMENT: f64 = 5e-3;
 
 /// Directions that differ by more make a corner of the line.
 const CORNER: f64 = 1e-4;
