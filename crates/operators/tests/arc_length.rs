@@ -7,7 +7,7 @@ use std::f64::consts::PI;
 
 use common::family;
 use pforms_kernel::Form;
-use pforms_operators::{ArcLength, elevate, stretch};
+use pforms_operators::{ArcLength, KnotRule, bspline, elevate, stretch};
 use pforms_testkit::{ROUNDS, Random, Weights};
 
 const ACCURACY: f64 = 1e-13;
@@ -130,4 +130,25 @@ fn what_has_no_length() {
     assert_eq!(family(measured.up_to(f64::NAN)), "Domain");
     assert_eq!(family(measured.parameter(2.0)), "Domain");
     assert_eq!(family(measured.parameter(-0.1)), "Domain");
+}
+
+/// More pieces than stretches that one curve of few pieces may take, and a sum of as many lengths.
+#[test]
+fn a_hundred_thousand_poles_are_measured_to_the_full_accuracy() {
+    let mut random = Random::new(101);
+    let (mut x, mut points) = (0.0, vec![0.0, 0.0]);
+    for _ in 1..100_000 {
+        x += 0.5 + random.unit();
+        points.extend([x, 0.0]);
+    }
+    let net: Form = Form::from_points(&[100_000], 2, &points, None).unwrap();
+    let straight = |degree| bspline(&net, &[degree], &[KnotRule::Clamped], &[false]).unwrap();
+    let measured = ArcLength::new(straight(1), 1e-12).unwrap();
+    let gap = (measured.length() - x).abs();
+    assert!(gap <= measured.error() && measured.error() <= 2e-12 * x, "{gap}");
+    let half = measured.parameter(0.5 * x).unwrap();
+    assert!((measured.up_to(half).unwrap() - 0.5 * x).abs() <= 2e-12 * x);
+    let measured = ArcLength::new(straight(3), 1e-12).unwrap();
+    let gap = (measured.length() - x).abs();
+    assert!(gap <= measured.error() && measured.error() <= 2e-12 * x, "{gap}");
 }
