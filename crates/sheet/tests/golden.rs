@@ -237,3 +237,34 @@ fn french_names_and_accents_call_the_same() {
         assert_eq!(value(english), value(french), "{french}");
     }
 }
+
+/// Words that no French sentence has.
+const ENGLISH: &[&str] = &[
+    "the", "an", "of", "form", "number", "with", "without", "that", "which", "and", "or", "to",
+    "for", "from", "at", "in", "its", "is", "are", "one", "each", "than", "as", "by", "least",
+    "most", "above", "between", "other", "curve", "weights", "poles", "numbers", "knots", "shell",
+    "mesh", "whole", "would", "have", "axis",
+];
+
+#[test]
+fn errors_are_french_in_french() {
+    let mut english = Vec::new();
+    for (name, file) in files() {
+        for case in file["cases"].as_array().unwrap() {
+            if case["kind"] != "error" {
+                continue;
+            }
+            let found = computed::<f64>(case);
+            let Some(failure) = found.failure() else { continue };
+            let message = failure.message(Language::French);
+            // Before that stand the cell, the operator and the parameter.
+            let said = message.split_once("reçu ").map_or(message, |(_, said)| said);
+            let outside: String = said.split(['«', '»', '“', '”', '"']).step_by(2).collect();
+            let mut words = outside.split(|c: char| !c.is_alphanumeric() && c != '\'' && c != '_');
+            if words.any(|word| ENGLISH.contains(&word)) || said.contains("attendu a ") {
+                english.push(format!("{name}: {message}"));
+            }
+        }
+    }
+    assert!(english.is_empty(), "{}", english.join("\n"));
+}

@@ -197,6 +197,10 @@ pub(super) const PATTERNS: &[(&str, &str)] = &[
     ("an angle other than {}", "un angle autre que {}"),
     ("an angle in exact mode", "un angle en mode exact"),
     ("an empty cell", "une cellule vide"),
+    (
+        "an inner knot, no more often than the spline has it",
+        "un nœud intérieur, pas plus souvent que la spline ne l'a",
+    ),
     ("an inner knot of {}", "un nœud intérieur de {}"),
     (
         "as many axes as coordinates: a surface in the plane, a volume in space",
