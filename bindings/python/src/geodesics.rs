@@ -226,14 +226,17 @@ pub(crate) fn geodesic_between<'py>(
     let longest = longest.map(|given| real("longest", given)).transpose()?;
     let all = all.map_or(Ok(false), |given| truth("all", given))?;
     let options = options(accuracy, seams)?;
-    let lines =
-        done(py, usize::MAX, || operators::geodesic_between(surface, p, q, longest, &options))?;
-    let mut lines = lines.into_iter().map(|line| connection(py, line));
     if all {
+        let lines = done(py, usize::MAX, || {
+            operators::geodesic_between(surface, p, q, longest, &options)
+        })?;
+        let lines = lines.into_iter().map(|line| connection(py, line));
         return Ok(PyList::new(py, lines.collect::<PyResult<Vec<_>>>()?)?.into_any());
     }
-    match lines.next() {
-        Some(line) => line,
+    let line =
+        done(py, usize::MAX, || operators::shortest_geodesic(surface, p, q, longest, &options))?;
+    match line {
+        Some(line) => connection(py, line),
         None => named(py, (py.None(), 0.0, 0.0, "proved")),
     }
 }

@@ -74,6 +74,8 @@ fn axes_of_enneper_s_surfaces() {
             assert_eq!(line.ending, Ending::Border, "{id}");
             assert!((line.length - length).abs() <= line.error, "{id} {:e}", line.error);
             assert!(distance(&line.end, &end) < 1e-10);
+            let ways = geodesic_between(item.form(), start, end, None, &to(1e-10)).unwrap();
+            assert!(ways.iter().any(|way| (way.geodesic.length - length).abs() < 1e-9), "{id}");
         }
     }
 }

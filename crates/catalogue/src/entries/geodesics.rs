@@ -179,22 +179,17 @@ fn geodesic_between(a: &Bound<f64>) -> Outcome<f64> {
     let [p, q] = [single(a, 1)?, single(a, 2)?];
     let longest = if a.is_given(4) { Some(a.number(4)?) } else { None };
     let options = GeodesicOptions { accuracy: a.number(5)?, seams: a.boolean(6)? };
-    let lines = operators::geodesic_between(surface, p, q, longest, &options)?;
     let part = a.choice(3)?;
-    match part {
-        "all" => {
-            return Ok(Value::list(
-                lines.into_iter().map(|line| line.geodesic.spline.into()).collect(),
-            ));
-        }
-        "lengths" => {
-            return Ok(Value::list(
-                lines.iter().map(|line| Value::Number(line.geodesic.length)).collect(),
-            ));
-        }
-        _ => {}
+    if let "all" | "lengths" = part {
+        let lines = operators::geodesic_between(surface, p, q, longest, &options)?;
+        let value = |line: Connection| match part {
+            "lengths" => Value::Number(line.geodesic.length),
+            _ => line.geodesic.spline.into(),
+        };
+        return Ok(Value::list(lines.into_iter().map(value).collect()));
     }
-    let Some(Connection { geodesic, gap, minimality }) = lines.into_iter().next() else {
+    let line = operators::shortest_geodesic(surface, p, q, longest, &options)?;
+    let Some(Connection { geodesic, gap, minimality }) = line else {
         return same_point(part, a);
     };
     match part {

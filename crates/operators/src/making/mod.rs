@@ -36,7 +36,7 @@ pub use fit::{Fit, FitOptions, fit};
 pub use fit_parameters::Parameters;
 pub use geodesic::{
     Arrivals, Connection, Ending, Geodesic, GeodesicOptions, Heading, Mark, Minimality, Plank,
-    PlankOptions, geodesic, geodesic_between, geodesics, plank_lines, planks,
+    PlankOptions, geodesic, geodesic_between, geodesics, plank_lines, planks, shortest_geodesic,
 };
 pub use golden::golden;
 pub use gordon::{Network, gordon, gordon_network};

@@ -117,13 +117,25 @@ impl Atlas {
     }
 
     /// Axes and sides of a piece that are points.
-    pub(super) fn points_of(&self, net: usize) -> Vec<(usize, usize)> {
+    pub(super) fn points_of(&self, net: usize) -> impl Iterator<Item = (usize, usize)> {
         let index = self.index(net);
-        let is_point = |&(axis, side): &(usize, usize)| {
+        let is_point = move |&(axis, side): &(usize, usize)| {
             let end = if side == 0 { 0 } else { self.counts[axis] - 1 };
             index[axis] == end && !matches!(self.caps[axis][side], Edge::Line)
         };
-        [(0, 0), (0, 1), (1, 0), (1, 1)].into_iter().filter(is_point).collect()
+        [(0, 0), (0, 1), (1, 0), (1, 1)].into_iter().filter(is_point)
+    }
+
+    /// The rounding of the coordinates of points, which may lie far from the origin.
+    pub(super) fn grain(&self) -> f64 {
+        self.length(f64::EPSILON * (1.0 + norm(&self.centre)))
+    }
+
+    /// The apex that a place is at, if it is at one.
+    pub(super) fn at_apex(&self, net: usize, place: [f64; 2]) -> bool {
+        self.points_of(net).any(|(axis, side)| {
+            place[axis] == side as f64 && matches!(self.caps[axis][side], Edge::Apex(_))
+        })
     }
 
     pub(super) fn index(&self, net: usize) -> [usize; 2] {

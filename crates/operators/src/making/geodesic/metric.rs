@@ -109,7 +109,7 @@ fn contracted<T: Number, const N: usize>(
 
 /// The derivatives of `x/w` from those of both.
 #[inline(always)]
-pub(super) fn quotient<T: Number>(x: [T; 6], w: &[T; 6], inverse: T) -> [T; 6] {
+fn quotient<T: Number>(x: [T; 6], w: &[T; 6], inverse: T) -> [T; 6] {
     let f = x[0] * inverse;
     let fu = (x[1] - f * w[1]) * inverse;
     let fv = (x[2] - f * w[2]) * inverse;
@@ -161,15 +161,26 @@ impl Net {
         }
     }
 
+    /// The same, compiled once.
+    pub(super) fn each(&self, at: [f64; 2], each: &mut dyn FnMut([f64; 6])) {
+        self.derivatives(at, each);
+    }
+
     /// The point and its five derivatives: one row of coordinates for each.
     pub(super) fn jet(&self, at: [f64; 2]) -> [Vec<f64>; 6] {
-        let mut jet: [Vec<f64>; 6] = Default::default();
-        self.derivatives(at, |one| {
+        let mut jet: [Vec<f64>; 6] = std::array::from_fn(|_| Vec::with_capacity(self.ambient));
+        self.each(at, &mut |one| {
             for (row, x) in jet.iter_mut().zip(one) {
                 row.push(x);
             }
         });
         jet
+    }
+
+    pub(super) fn point(&self, at: [f64; 2]) -> Vec<f64> {
+        let mut point = Vec::with_capacity(self.ambient);
+        self.each(at, &mut |[x, ..]| point.push(x));
+        point
     }
 
     #[inline(always)]

@@ -3,20 +3,27 @@
 //! A geodesic is a curve on a surface whose second derivative has no part in the tangent plane: a string pulled
 //! tight, a ball that rolls freely. In parameters it is a differential equation of the second order, whose terms
 //! are products of exact derivatives of the surface (`metric`). It is integrated by the method of order 8 of
-//! Dormand and Prince with steps that suit the errors of its lower orders (`step`), piece after piece (`trace`,
-//! `cross`), over the tangent plane near a collapsed edge, where parameters say nothing (`cap`). How far the end
-//! may be off is what the errors of the steps become as neighbouring geodesics part or meet (`growth`).
+//! Dormand and Prince with steps that suit the errors of its lower orders (`step`, `attempt`, `trace`), piece after
+//! piece (`sides`, `cross`), over the tangent plane near a collapsed edge, where parameters say nothing (`cap`, `spokes`,
+//! `local`). How far the end may be off is what the errors of the steps become as neighbouring geodesics part or meet
+//! (`growth`). Lines between two points are sought (`search`) among those that leave the first.
 
 mod atlas;
+mod attempt;
 mod between;
 mod bulk;
 mod cap;
 mod cross;
 mod curve;
 mod growth;
+mod lanes;
+mod local;
 mod metric;
 mod number;
 mod planks;
+mod search;
+mod sides;
+mod spokes;
 mod step;
 mod tableau;
 mod trace;
@@ -26,7 +33,7 @@ use pforms_kernel::{Error, Result};
 use crate::Spline;
 use crate::measuring::vector::{dot, norm, plus};
 use atlas::{Atlas, Edge};
-pub use between::{Connection, Minimality, geodesic_between};
+pub use between::{Connection, Minimality, geodesic_between, shortest_geodesic};
 pub use bulk::{Arrivals, geodesics};
 pub use planks::{Mark, Plank, PlankOptions, plank_lines, planks};
 use step::State;
@@ -60,6 +67,16 @@ pub enum Heading {
     Angle(f64),
 }
 
+impl Heading {
+    fn told(&self) -> String {
+        match self {
+            Self::Parameters([u, v]) => format!("({u}, {v})"),
+            Self::Vector(vector) => format!("the vector {vector:?}"),
+            Self::Angle(angle) => format!("the angle {angle}"),
+        }
+    }
+}
+
 /// How a geodesic is to be followed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GeodesicOptions {
@@ -85,7 +102,8 @@ pub struct Geodesic {
     pub spline: Spline,
     /// How long it is.
     pub length: f64,
-    /// No place is farther than this from that of the true geodesic of the same length.
+    /// No place is farther than this from that of the true geodesic of the same length, the rounding of coordinates
+    /// far from the origin included.
     pub error: f64,
     /// Why it ends.
     pub ending: Ending,
@@ -160,7 +178,8 @@ fn settled(
     let mut tolerance = 0.1 * accuracy / length.max(1.0);
     let mut reached = f64::INFINITY;
     for _ in 0..PASSES {
-        let request = Request { length, tolerance, slack: DRAWN * accuracy, dense, pause: false };
+        let request =
+            Request { length, tolerance, slack: DRAWN * accuracy, dense, sure: true, pause: false };
         let course = trace(atlas, chart, state, &request)?;
         let error = course.growth.error() + course.between;
         if error <= (1.0 - 2.0 * DRAWN) * accuracy {
@@ -206,6 +225,13 @@ fn checked(
 fn begun(atlas: &Atlas, start: [f64; 2], heading: &Heading) -> Result<(Chart, State<f64>)> {
     let (net, place) = atlas.locate(start);
     let [_, u, v, ..] = atlas.nets[net].jet(place);
+    if !matches!(heading, Heading::Parameters(_)) && atlas.at_apex(net, place) {
+        return Err(Error::degenerate(
+            "start",
+            "the apex of a cone or the like, which has no tangent plane",
+            "a regular start, or a direction in parameters",
+        ));
+    }
     let velocity = match heading {
         Heading::Parameters(velocity) => [0, 1].map(|axis| velocity[axis] / atlas.span(net, axis)),
         Heading::Angle(angle) => {
@@ -230,7 +256,7 @@ fn begun(atlas: &Atlas, start: [f64; 2], heading: &Heading) -> Result<(Chart, St
     if !(size > 0.0 && size.is_finite()) {
         return Err(Error::degenerate(
             "direction",
-            format!("{heading:?}"),
+            heading.told(),
             "a direction with a part in the tangent plane of the surface",
         ));
     }
@@ -283,7 +309,7 @@ fn finished(atlas: &Atlas, course: &Course, accuracy: f64) -> Result<Geodesic> {
         parameters: drawn.parameters,
         spline: drawn.space,
         length: atlas.length(course.length),
-        error: atlas.length(course.growth.error() + course.between + drawn.error),
+        error: atlas.length(course.growth.error() + course.between + drawn.error) + atlas.grain(),
         ending: course.ending,
         end,
         point,
@@ -296,23 +322,27 @@ fn finished(atlas: &Atlas, course: &Course, accuracy: f64) -> Result<Geodesic> {
 
 /// Parameters, point and unit direction of the end of a course.
 fn arrived(atlas: &Atlas, course: &Course) -> ([f64; 2], Vec<f64>, Vec<f64>) {
-    let State { place, velocity } = course.state;
-    match course.chart {
+    let (parameters, point, direction) = seen(atlas, course.chart, course.state);
+    (parameters, atlas.point(&point), direction)
+}
+
+/// Parameters, point in units and direction in space of a state.
+fn seen(atlas: &Atlas, chart: Chart, state: State<f64>) -> ([f64; 2], Vec<f64>, Vec<f64>) {
+    let State { place, velocity } = state;
+    let (net, found, direction) = match chart {
         Chart::Piece(net) => {
-            let [point, u, v, ..] = atlas.nets[net].jet(place);
-            let direction: Vec<f64> =
-                u.iter().zip(&v).map(|(u, v)| u * velocity[0] + v * velocity[1]).collect();
-            let inside = place.map(|t| t.clamp(0.0, 1.0));
-            (atlas.parameters(net, inside), atlas.point(&point), direction)
+            let [_, u, v, ..] = atlas.nets[net].jet(place);
+            let direction = u.iter().zip(&v).map(|(u, v)| u * velocity[0] + v * velocity[1]);
+            (net, place, direction.collect())
         }
         Chart::Cap(axis, side) => {
             let Some(cap) = atlas.cap(axis, side) else {
                 return ([f64::NAN; 2], Vec::new(), Vec::new());
             };
             let (net, found) = cap.place_under(place, velocity);
-            let [point, ..] = atlas.nets[net].jet(found);
-            let inside = found.map(|t| t.clamp(0.0, 1.0));
-            (atlas.parameters(net, inside), atlas.point(&point), cap.direction(place, velocity))
+            (net, found, cap.direction(place, velocity))
         }
-    }
+    };
+    let inside = found.map(|t| t.clamp(0.0, 1.0));
+    (atlas.parameters(net, inside), atlas.nets[net].point(found), direction)
 }

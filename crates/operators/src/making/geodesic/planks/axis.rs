@@ -215,7 +215,7 @@ impl<'a> Axis<'a> {
             }
             _ => {
                 let net = self.runs[run].net;
-                let collapses = !self.atlas.points_of(net).is_empty();
+                let collapses = self.atlas.points_of(net).next().is_some();
                 let floor = if collapses { NEAR_POINT * self.breadth(net) } else { 0.0 };
                 let (cells, to) = (start..end, self.length);
                 self.stretches.push(Stretch { cells, from, to, sign: 1.0, floor });
@@ -240,7 +240,7 @@ impl<'a> Axis<'a> {
                 let [_, u, v, ..] = self.atlas.nets[run.net].jet(place);
                 norm(&cross(&u, &v)) <= NEAR_POINT * self.breadth(run.net)
             };
-            !self.atlas.points_of(run.net).is_empty() && self.state(run, share).is_ok_and(near)
+            self.atlas.points_of(run.net).next().is_some() && self.state(run, share).is_ok_and(near)
         })
     }
 
@@ -262,7 +262,7 @@ impl<'a> Axis<'a> {
             spot(&self.atlas.nets[run.net], place, velocity, 1.0, 0.0).frame.map(|f| f.tangent)
         };
         let pair = tangent(before, 1.0).zip(tangent(now, 0.0));
-        self.atlas.points_of(now.net).is_empty()
+        self.atlas.points_of(now.net).next().is_none()
             && pair.is_some_and(|(a, b)| norm(&plus(&a, -1.0, &b)) > CORNER)
     }
 
