@@ -80,12 +80,15 @@ pub fn geodesics(
         arrivals.points.extend(point);
         arrivals.directions.extend(direction);
         arrivals.lengths.push(atlas.length(course.length));
-        arrivals.errors.push(atlas.length(course.growth.error()) + atlas.grain());
+        arrivals.errors.push(atlas.length(CAUTION * course.growth.error()) + atlas.grain());
         arrivals.endings.push(course.ending);
         arrivals.steps += course.steps;
     }
     Ok(arrivals)
 }
+
+/// Steps in lanes are longer, and not compared with the equation between their ends: their errors count twice.
+const CAUTION: f64 = 2.0;
 
 /// Operations of one geodesic, about.
 const COST: usize = 1 << 17;
@@ -146,7 +149,7 @@ fn followed(atlas: &Atlas, tasks: &mut [Task]) -> Result<()> {
     }
     for task in tasks.iter_mut() {
         // Those whose errors grew too much go once more, each with steps of its own.
-        if task.course.growth.error() > task.accuracy && task.request.length > 0.0 {
+        if CAUTION * task.course.growth.error() > task.accuracy && task.request.length > 0.0 {
             let (chart, state) = task.begin;
             task.course = settled(atlas, chart, state, task.request.length, task.accuracy, false)?;
         }

@@ -83,7 +83,9 @@ fn normal_parts(t: &[f64], s: &[f64], bends: &mut [f64]) {
         remove(&mut second, &first);
     }
     let length = norm(&second);
-    second.iter_mut().for_each(|x| *x /= length);
+    for x in &mut second {
+        *x /= length;
+    }
     for bend in bends.chunks_exact_mut(t.len()) {
         for direction in [&first, &second, &first, &second] {
             remove(bend, direction);
