@@ -92,8 +92,8 @@ pub(super) fn holds(overlap: &Overlap, contact: &Contact) -> bool {
     contact.kind != ContactKind::Crossing || (s - t).abs() < BESIDE
 }
 
-/// Shares of an overlap that belong to one place differ by less, however it is run through.
-const BESIDE: f64 = 0.05;
+/// Shares of an overlap that belong to one place differ by less, unless its speed is very uneven.
+const BESIDE: f64 = 0.25;
 
 /// Joins overlaps that go on from one piece to the next.
 fn join(overlaps: &mut Vec<Overlap>) {
