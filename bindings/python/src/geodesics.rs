@@ -227,9 +227,8 @@ pub(crate) fn geodesic_between<'py>(
     let all = all.map_or(Ok(false), |given| truth("all", given))?;
     let options = options(accuracy, seams)?;
     if all {
-        let lines = done(py, usize::MAX, || {
-            operators::geodesic_between(surface, p, q, longest, &options)
-        })?;
+        let lines =
+            done(py, usize::MAX, || operators::geodesic_between(surface, p, q, longest, &options))?;
         let lines = lines.into_iter().map(|line| connection(py, line));
         return Ok(PyList::new(py, lines.collect::<PyResult<Vec<_>>>()?)?.into_any());
     }

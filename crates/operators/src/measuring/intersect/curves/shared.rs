@@ -9,6 +9,7 @@ use super::overlap::{ends, overlaps};
 use super::searches::Searches;
 use super::settle::met;
 use super::settled;
+use super::touches::stay_near;
 use crate::measuring::intersect::answer::{Contact, Intersections, Overlap, Undecided};
 use crate::measuring::intersect::exact::Meeting;
 use crate::measuring::vector::norm;
@@ -35,6 +36,17 @@ pub(super) fn shared(
         overlap.proved = true;
     });
     let ends = ends(a, b, margin)?;
+    if answer.overlaps.is_empty() {
+        // Neither at the speed of the other up to a homography: the same arc nevertheless.
+        for pair in ends.windows(2) {
+            let ([s, t], [u, v]) = (pair[0], pair[1]);
+            let long = u - s > BESIDE && (v - t).abs() > BESIDE;
+            if long && stay_near(a, b, pair[0], pair[1], margin) {
+                let (first, second) = ([vec![s], vec![u]], [vec![t], vec![v]]);
+                answer.overlaps.push(Overlap { first, second, gap: 0.0, proved: true });
+            }
+        }
+    }
     if answer.overlaps.is_empty() {
         let at_end = |w: &Window| {
             let near = |x: f64, [from, to]: [f64; 2]| from - BESIDE <= x && x <= to + BESIDE;
