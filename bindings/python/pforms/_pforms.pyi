@@ -53,6 +53,7 @@ _ListPerAxis: TypeAlias = Sequence[_Number] | Sequence[Sequence[_Number] | _Arra
 _Ends: TypeAlias = Sequence[int] | Sequence[Sequence[int]] | NDArray[np.integer[Any]]
 _EndRule: TypeAlias = Literal["natural", "clamped", "not-a-knot", "periodic"]
 _Shape: TypeAlias = Form | Spline | ArrayLike
+_Measured: TypeAlias = _Shape | Mesh
 _KnotRule: TypeAlias = Literal["uniform", "clamped"] | Sequence[_Number] | _Array
 
 __all__ = [
@@ -1608,39 +1609,39 @@ def by_arc_length(
 def by_arc_length(curve: _Shape, *, accuracy: float = 1e-9, report: Literal[True]) -> UnitSpeed: ...
 @overload
 def area(
-    *forms: _Shape | Sequence[_Shape],
+    *forms: _Measured | Sequence[_Measured],
     signed: bool = False,
     accuracy: float = 1e-12,
     report: Literal[False] = False,
 ) -> float: ...
 @overload
 def area(
-    *forms: _Shape | Sequence[_Shape],
+    *forms: _Measured | Sequence[_Measured],
     signed: bool = False,
     accuracy: float = 1e-12,
     report: Literal[True],
 ) -> Measure: ...
 @overload
 def volume(
-    *forms: _Shape | Sequence[_Shape],
+    *forms: _Measured | Sequence[_Measured],
     signed: bool = False,
     accuracy: float = 1e-12,
     report: Literal[False] = False,
 ) -> float: ...
 @overload
 def volume(
-    *forms: _Shape | Sequence[_Shape],
+    *forms: _Measured | Sequence[_Measured],
     signed: bool = False,
     accuracy: float = 1e-12,
     report: Literal[True],
 ) -> Measure: ...
 def centroid(
-    *forms: _Shape | Sequence[_Shape], filled: bool = False, accuracy: float = 1e-12
+    *forms: _Measured | Sequence[_Measured], filled: bool = False, accuracy: float = 1e-12
 ) -> _Array: ...
 def inertia(
-    *forms: _Shape | Sequence[_Shape], filled: bool = False, accuracy: float = 1e-12
+    *forms: _Measured | Sequence[_Measured], filled: bool = False, accuracy: float = 1e-12
 ) -> Inertia: ...
-def box(*forms: _Shape | Sequence[_Shape], accuracy: float = 1e-12) -> Box: ...
+def box(*forms: _Measured | Sequence[_Measured], accuracy: float = 1e-12) -> Box: ...
 @overload
 def jacobian(form: Form | ArrayLike) -> Form: ...
 @overload

@@ -5,6 +5,7 @@ use pforms_kernel::Error;
 use pforms_mesh::Mesh;
 use pyo3::intern;
 use pyo3::prelude::*;
+use pyo3::types::{PyList, PyTuple};
 
 use crate::arrays::Numbers;
 use crate::errors::{done, fail, mistyped, raised};
@@ -30,6 +31,24 @@ pub(crate) fn read(argument: &str, object: &Bound<'_, PyAny>) -> PyResult<Mesh> 
         .getattr(intern!(py, "triangles"))
         .or_else(|_| object.getattr(intern!(py, "faces")))?;
     of_arrays(&vertices, &triangles)
+}
+
+/// Meshes given one by one, or all in a list; nothing when the first is none.
+///
+/// Errors: as [`read`]; `ArgumentError` for anything else among them.
+pub(crate) fn several(argument: &str, given: &Bound<'_, PyTuple>) -> PyResult<Option<Vec<Mesh>>> {
+    let mut items: Vec<Bound<'_, PyAny>> = given.iter().collect();
+    // A mesh is a named tuple itself.
+    if let [single] = &items[..]
+        && !is_mesh(single)
+        && (single.is_instance_of::<PyList>() || single.is_instance_of::<PyTuple>())
+    {
+        items = single.try_iter()?.collect::<PyResult<_>>()?;
+    }
+    if !items.iter().any(is_mesh) {
+        return Ok(None);
+    }
+    items.iter().map(|item| read(argument, item)).collect::<PyResult<_>>().map(Some)
 }
 
 fn of_arrays(vertices: &Bound<'_, PyAny>, triangles: &Bound<'_, PyAny>) -> PyResult<Mesh> {

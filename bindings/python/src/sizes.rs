@@ -1,6 +1,7 @@
 //! Areas, volumes, centres, inertia, boxes; Jacobians, folds, slices.
 
-use pforms_operators::{self as operators, Folding, Measure, Shape};
+use pforms_mesh::{Mesh, mesh_area, mesh_box, mesh_mass, mesh_volume};
+use pforms_operators::{self as operators, Folding, Mass, Measure, Shape};
 use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
 use pyo3::types::{PyList, PyTuple};
@@ -10,14 +11,30 @@ use crate::arrays::Numbers;
 use crate::errors::{done, raised};
 use crate::joining::{read_report, record};
 use crate::outputs::array;
-use crate::shapes;
+use crate::{meshes, shapes};
 
 type Object<'py> = Bound<'py, PyAny>;
 
+/// What is measured: forms and splines, or meshes.
+enum Things {
+    Shapes(Vec<Shape>),
+    Meshes(Vec<Mesh>),
+}
+
 /// What is measured, and how well.
-fn read(forms: &Bound<'_, PyTuple>, accuracy: Option<&Object<'_>>) -> PyResult<(Vec<Shape>, f64)> {
-    let all = shapes::read_several("forms", forms)?;
+fn read(forms: &Bound<'_, PyTuple>, accuracy: Option<&Object<'_>>) -> PyResult<(Things, f64)> {
+    let all = match meshes::several("forms", forms)? {
+        Some(meshes) => Things::Meshes(meshes),
+        None => Things::Shapes(shapes::read_several("forms", forms)?),
+    };
     Ok((all, accuracy.map_or(Ok(1e-12), |given| real("accuracy", given))?))
+}
+
+fn mass_of(all: &Things, filled: bool, accuracy: f64) -> pforms_kernel::Result<Mass> {
+    match all {
+        Things::Shapes(all) => operators::mass(all, filled, accuracy),
+        Things::Meshes(all) => mesh_mass(all, filled),
+    }
 }
 
 fn is_true(name: &str, given: Option<&Object<'_>>) -> PyResult<bool> {
@@ -41,8 +58,8 @@ fn measured<'py>(
 ///
 /// Parameters
 /// ----------
-/// *forms : Form or Spline
-///     One by one, or in a list.
+/// *forms : Form or Spline, or Mesh
+///     One by one, or in a list; meshes by sums over their triangles.
 /// signed : bool, optional
 ///     The integral of the determinant, for forms in the plane.
 /// accuracy : float, optional
@@ -80,9 +97,10 @@ pub(crate) fn area<'py>(
 ) -> PyResult<Object<'py>> {
     let (all, accuracy) = read(forms, accuracy)?;
     let signed = is_true("signed", signed)?;
-    measured(py, report, move || match signed {
-        true => operators::signed_area(&all, accuracy),
-        false => operators::area(&all, accuracy),
+    measured(py, report, move || match (all, signed) {
+        (Things::Meshes(all), _) => mesh_area(&all),
+        (Things::Shapes(all), true) => operators::signed_area(&all, accuracy),
+        (Things::Shapes(all), false) => operators::area(&all, accuracy),
     })
 }
 
@@ -93,8 +111,8 @@ pub(crate) fn area<'py>(
 ///
 /// Parameters
 /// ----------
-/// *forms : Form or Spline
-///     One by one, or in a list.
+/// *forms : Form or Spline, or Mesh
+///     One by one, or in a list; meshes by sums over their triangles.
 /// signed : bool, optional
 ///     The integral of the determinant; of a shell, positive where the normal of the first patch
 ///     points outwards.
@@ -108,7 +126,7 @@ pub(crate) fn area<'py>(
 /// ShapeError, DomainError
 ///     For curves in space; for forms that go to infinity.
 /// DegenerateError
-///     For a shell that is open, naming a border, or one-sided.
+///     For a shell or a mesh that is open, naming a border, or one-sided.
 /// AccuracyError
 ///     When the accuracy cannot be had.
 ///
@@ -134,15 +152,18 @@ pub(crate) fn volume<'py>(
 ) -> PyResult<Object<'py>> {
     let (all, accuracy) = read(forms, accuracy)?;
     let signed = is_true("signed", signed)?;
-    measured(py, report, move || operators::volume(&all, signed, accuracy))
+    measured(py, report, move || match all {
+        Things::Meshes(all) => mesh_volume(&all, signed),
+        Things::Shapes(all) => operators::volume(&all, signed, accuracy),
+    })
 }
 
 /// The centre of mass of curves, surfaces or solids of density 1, taken together.
 ///
 /// Parameters
 /// ----------
-/// *forms : Form or Spline
-///     One by one, or in a list.
+/// *forms : Form or Spline, or Mesh
+///     One by one, or in a list; meshes by sums over their triangles.
 /// filled : bool, optional
 ///     Take closed curves of the plane and closed surfaces for what they enclose.
 /// accuracy : float, optional
@@ -175,7 +196,7 @@ pub(crate) fn centroid<'py>(
 ) -> PyResult<Object<'py>> {
     let (all, accuracy) = read(forms, accuracy)?;
     let filled = is_true("filled", filled)?;
-    let mass = done(py, usize::MAX, move || operators::mass(&all, filled, accuracy))?;
+    let mass = done(py, usize::MAX, move || mass_of(&all, filled, accuracy))?;
     Ok(array(py, &[mass.centroid.len()], mass.centroid)?.into_any())
 }
 
@@ -183,8 +204,8 @@ pub(crate) fn centroid<'py>(
 ///
 /// Parameters
 /// ----------
-/// *forms : Form or Spline
-///     One by one, or in a list.
+/// *forms : Form or Spline, or Mesh
+///     One by one, or in a list; meshes by sums over their triangles.
 /// filled : bool, optional
 ///     Take closed curves of the plane and closed surfaces for what they enclose.
 /// accuracy : float, optional
@@ -219,7 +240,7 @@ pub(crate) fn inertia<'py>(
 ) -> PyResult<Object<'py>> {
     let (all, accuracy) = read(forms, accuracy)?;
     let filled = is_true("filled", filled)?;
-    let mass = done(py, usize::MAX, move || operators::mass(&all, filled, accuracy))?;
+    let mass = done(py, usize::MAX, move || mass_of(&all, filled, accuracy))?;
     let size = mass.centroid.len();
     let fields = (
         mass.measure.value,
@@ -238,8 +259,8 @@ pub(crate) fn inertia<'py>(
 ///
 /// Parameters
 /// ----------
-/// *forms : Form or Spline
-///     One by one, or in a list.
+/// *forms : Form or Spline, or Mesh
+///     One by one, or in a list; meshes by sums over their triangles.
 /// accuracy : float, optional
 ///     In sizes of the whole.
 ///
@@ -248,7 +269,7 @@ pub(crate) fn inertia<'py>(
 /// Box
 ///     ``lower`` and ``upper``, outside of which there is nothing; ``error``, by which each face is
 ///     farther out than some point, at most; ``lowest`` and ``highest``, for each coordinate the number
-///     of a form and the parameters of such a point.
+///     of a form and the parameters of such a point; of a mesh, the number of its vertex.
 ///
 /// Raises
 /// ------
@@ -272,7 +293,10 @@ pub(crate) fn bounding_box<'py>(
     accuracy: Option<&Object<'py>>,
 ) -> PyResult<Object<'py>> {
     let (all, accuracy) = read(forms, accuracy)?;
-    let found = done(py, usize::MAX, move || operators::bounding_box(&all, accuracy))?;
+    let found = done(py, usize::MAX, move || match all {
+        Things::Meshes(all) => mesh_box(&all),
+        Things::Shapes(all) => operators::bounding_box(&all, accuracy),
+    })?;
     let places = |list: Vec<(usize, Vec<f64>)>| -> PyResult<Bound<'py, PyTuple>> {
         let place = |(number, at): (usize, Vec<f64>)| -> PyResult<Object<'py>> {
             (number, PyTuple::new(py, at)?).into_bound_py_any(py)

@@ -152,3 +152,27 @@ def test_frames_in_slices_are_those_in_one_piece(make, kind):
 def test_an_accuracy_is_an_angle(make, accuracy):
     with pytest.raises(pf.DomainError, match="^accuracy: received .*, expected a positive angle"):
         make(4).frame(0.5, accuracy=accuracy)
+
+
+def test_meshes_are_measured():
+    box = pf.cube((2, 2, 2))
+    mesh = pf.union(box)
+    assert pf.volume(mesh) == pf.volume([mesh]) == 1.0
+    assert pf.area(mesh) == 6.0
+    measure = pf.volume(mesh, mesh, report=True)
+    assert measure.value == 2.0
+    assert 0 < measure.error < 1e-12
+    middle = mesh.vertices.mean(axis=0)
+    assert np.abs(pf.centroid(mesh, filled=True) - middle).max() < 1e-14
+    heavy, form = pf.inertia(mesh, filled=True), pf.inertia(box)
+    assert np.abs(heavy.tensor - form.tensor).max() <= heavy.error + form.error
+    found = pf.box(mesh)
+    assert found.error == 0
+    assert (found.lower == mesh.vertices.min(axis=0)).all()
+    assert (found.upper == mesh.vertices.max(axis=0)).all()
+    opened = pf.Mesh.of(mesh.vertices, mesh.triangles[1:])
+    with pytest.raises(pf.DegenerateError, match="3 edges of one triangle, one from"):
+        pf.volume(opened)
+    assert pf.area(opened) == 5.5
+    with pytest.raises(pf.PformsError):
+        pf.area(mesh, box)

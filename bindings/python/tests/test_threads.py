@@ -117,6 +117,24 @@ def test_long_work_is_interrupted(work):
     assert time.monotonic() - start < 5
 
 
+@pytest.mark.skipif(sys.platform == "win32", reason="there are no timers that signal")
+def test_one_long_call_is_interrupted():
+    def interrupt(*_):
+        raise KeyboardInterrupt
+
+    before = signal.signal(signal.SIGALRM, interrupt)
+    start = time.monotonic()
+    try:
+        signal.setitimer(signal.ITIMER_REAL, 0.3)
+        ball = pf.sphere(1)
+        with pytest.raises(KeyboardInterrupt):
+            pf.common(ball, pf.translate(ball, (1, 0, 0)), accuracy=1e-5)
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, before)
+    assert time.monotonic() - start < 5
+
+
 def again_and_again(work):
     t = np.linspace(0, 1, 10**6)
     while True:

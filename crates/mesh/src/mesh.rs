@@ -209,7 +209,7 @@ impl From<&Triangles> for Mesh {
 }
 
 /// Of a triangle in any dimension: a side times the height over it.
-fn area([a, b, c]: [&[f64]; 3]) -> f64 {
+pub(crate) fn area([a, b, c]: [&[f64]; 3]) -> f64 {
     let side = |to: &[f64]| -> Vec<f64> { to.iter().zip(a).map(|(x, y)| x - y).collect() };
     let (mut p, mut q) = (side(b), side(c));
     let largest = p.iter().chain(&q).fold(0.0_f64, |most, x| most.max(x.abs()));

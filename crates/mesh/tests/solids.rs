@@ -294,6 +294,28 @@ fn size_and_place_change_nothing() {
     assert!((0.5..1.5).contains(&ratio), "{ratio}");
 }
 
+#[test]
+fn tiny_and_huge_solids_keep_their_bounds() {
+    let huge = parts(vec![cube([-1e6; 3], [1e6; 3])]);
+    let tiny = parts(vec![cube([-1e-3; 3], [1e-3; 3])]);
+    for (operation, expected) in [(Common, 8e-9), (Difference, 8e18), (Union, 8e18)] {
+        let made = done(operation, &huge, &tiny, 1e-3);
+        assert!((volume(&made) - expected).abs() <= made.volume_error);
+    }
+    for unit in [1e-100, 1e100] {
+        let [one, two] = [0.0, 0.5].map(|x| {
+            let low = [x * unit, 0.0, 0.0];
+            parts(vec![cube(low, [(x + 1.0) * unit, unit, unit])])
+        });
+        let made = done(Difference, &one, &two, 1e-3);
+        near(volume(&made) / unit / unit / unit, 0.5);
+    }
+    // Beyond the largest number there is no volume, but a mesh.
+    let beyond = solid(&parts(vec![cube([0.0; 3], [1e120; 3])]), 1e-3).unwrap();
+    assert!(beyond.mesh.is_closed());
+    assert_eq!(beyond.mesh.volume().unwrap_err().family(), "Accuracy");
+}
+
 fn refused(body: &[Part]) -> (&'static str, String) {
     let error = solid(body, 1e-3).unwrap_err();
     (error.family(), error.to_string())

@@ -1,7 +1,10 @@
 //! Forms that follow a cage.
 
 use pforms_kernel::{Error, Form, Rational};
-use pforms_operators::{self as operators, Embedder, Outside, Poles, Rest, Shape, Standing};
+use pforms_mesh::Mesh;
+use pforms_operators::{
+    self as operators, Embedder, Embedding, Outside, Poles, Rest, Shape, Standing,
+};
 
 use super::lists::entry;
 use super::{Outcome, PART, PLAIN};
@@ -24,17 +27,21 @@ pub(super) static ENTRIES: &[Operator] = &[Operator {
     help: words(
         "A form, a spline or a list of them in the box at rest becomes one in the bent cage, by an \
          immersion. With points = TRUE each pole is a point that follows for itself, so that the cage may \
-         be bent at rest too; a point outside stays. part = \"inside\" then tells which are not.",
+         be bent at rest too, and so do the vertices of a mesh; a point outside stays. part = \"inside\" then \
+         tells which are not.",
         "Une forme, une spline ou une liste, dans la boîte au repos, en devient une dans la cage déformée, \
          par immersion. Avec points = VRAI chaque pôle est un point qui suit pour lui-même, et la cage \
-         peut être courbe au repos aussi ; un point dehors reste. partie = \"dedans\" dit alors lesquels \
-         n'y sont pas.",
+         peut être courbe au repos aussi ; de même les sommets d'un maillage. Un point dehors reste ; partie = \
+         \"dedans\" dit alors lesquels n'y sont pas.",
     ),
     parameters: &[
         Parameter::new(
             Takes::Any,
             words("object", "objet"),
-            words("A form, a spline, or a list.", "Une forme, une spline, ou une liste."),
+            words(
+                "A form, a spline, a mesh, or a list.",
+                "Une forme, une spline, un maillage, ou une liste.",
+            ),
         ),
         Parameter::new(
             Takes::Form,
@@ -73,11 +80,14 @@ fn deform<S: Arithmetic>(a: &Bound<S>) -> Outcome<S> {
     let cage = a.shape(1)?;
     let rest = rest(a, &cage)?;
     let points = a.boolean(3)?;
-    if a.is_given(4) && !points {
+    if a.is_given(4) && !points && !matches!(a.value(0), Value::Mesh(_)) {
         let expected = words("no part without points = TRUE", "aucune partie sans points = VRAI");
         return Err(a.refused(4, &a.value(4), expected));
     }
     each(&a.value(0), &|value| {
+        if let Value::Mesh(mesh) = value {
+            return carried(a, mesh, &cage, &rest);
+        }
         let object = a.shape_of(0, value)?;
         if points { followed(a, &object, &cage, &rest) } else { bent(&object, &cage, &rest) }
     })
@@ -148,7 +158,35 @@ fn followed<S: Arithmetic>(
     let moved = moved.unwrap_or_default();
     let image =
         Form::from_points(net.orders(), cage.net().ambient(), &moved, Some(&net.weights()))?;
-    let image: Value<S> = object.with_net(image)?.into();
+    answered(a, object.with_net(image)?.into(), &embedding)
+}
+
+/// The vertices of a mesh as points.
+fn carried<S: Arithmetic>(
+    a: &Bound<S>,
+    mesh: &Mesh,
+    cage: &Shape<S>,
+    rest: &Rest<S>,
+) -> Outcome<S> {
+    let at_rest = rest.cage(cage)?;
+    for shape in [cage, &at_rest] {
+        require_plain(shape.net().homogeneous())?;
+    }
+    let axes = cage.net().axes();
+    if mesh.ambient() != axes {
+        let received = format!("a mesh in dimension {}", mesh.ambient());
+        let expected = format!("dimension {axes}, as the cage has parameters");
+        return Err(Error::shape("object", received, expected).into());
+    }
+    require_points(at_rest.net(), EVALUATIONS.saturating_mul(mesh.vertex_count()), 0.0)?;
+    let (at_rest, cage) = (rough(&at_rest)?, rough(cage)?);
+    let embedding = Embedder::new(&at_rest, ACCURACY, Outside::Keep)?.embed(mesh.vertices())?;
+    let image = mesh.with_vertices(cage.net().ambient(), embedding.at(&cage)?)?;
+    answered(a, image.into(), &embedding)
+}
+
+/// What has moved, or which points of it were in the cage.
+fn answered<S: Arithmetic>(a: &Bound<S>, image: Value<S>, embedding: &Embedding) -> Outcome<S> {
     if !a.is_given(4) {
         return Ok(image);
     }

@@ -1,6 +1,7 @@
 //! Areas, volumes, centres, inertia and boxes, each with the error it may have.
 
 use pforms_kernel::{Form, Rational, Traced};
+use pforms_mesh::{Mesh, mesh_area, mesh_box, mesh_mass, mesh_volume};
 use pforms_operators::{self as operators, BoundingBox, Mass, Measure, Poles, Shape};
 
 use super::lists::entry;
@@ -17,7 +18,10 @@ pub(super) const INSIDE: Operator = Operator { group: Group::Inside, ..PLAIN };
 const FORMS: Parameter = Parameter::new(
     Takes::Any,
     words("forms", "formes"),
-    words("Forms, splines, or lists of them.", "Des formes, des splines, ou des listes."),
+    words(
+        "Forms, splines or lists of them; or meshes.",
+        "Des formes, des splines ou des listes ; ou des maillages.",
+    ),
 )
 .variadic();
 
@@ -240,7 +244,42 @@ fn one_of(measured: Measure, wanted: &str) -> Value {
     Value::Number(if wanted == "error" { measured.error } else { measured.value })
 }
 
+/// All that is measured when it is meshes; nothing when there is none among it.
+fn meshes(a: &Bound<f64>) -> Result<Option<Vec<Mesh>>, Failure> {
+    let (mut found, mut others) = (Vec::new(), None);
+    let mut waiting: Vec<Value> = a.all(0).iter().rev().cloned().collect();
+    while let Some(value) = waiting.pop() {
+        match value {
+            Value::Mesh(mesh) => found.push(mesh),
+            Value::List(items) if items.iter().any(holds_meshes) => {
+                waiting.extend(items.iter().rev().cloned());
+            }
+            other => others = Some(other),
+        }
+    }
+    match others {
+        _ if found.is_empty() => Ok(None),
+        None => Ok(Some(found)),
+        Some(other) => Err(a.refused(
+            0,
+            &other,
+            words("meshes alone, or forms alone", "des maillages seuls, ou des formes seules"),
+        )),
+    }
+}
+
+fn holds_meshes(value: &Value) -> bool {
+    match value {
+        Value::Mesh(_) => true,
+        Value::List(items) => items.iter().any(holds_meshes),
+        _ => false,
+    }
+}
+
 fn area(a: &Bound<f64>) -> Outcome<f64> {
+    if let Some(meshes) = meshes(a)? {
+        return Ok(one_of(mesh_area(&meshes)?, a.choice(3)?));
+    }
     let (shapes, wanted) = (shapes(a)?, a.choice(3)?);
     let measured = if a.boolean(1)? { operators::signed_area } else { operators::area };
     Ok(one_of(measured(&shapes, a.number(2)?)?, wanted))
@@ -266,6 +305,9 @@ fn require_plane<S: Arithmetic>(shapes: &[Shape<S>]) -> Result<(), Failure> {
 }
 
 fn volume(a: &Bound<f64>) -> Outcome<f64> {
+    if let Some(meshes) = meshes(a)? {
+        return Ok(one_of(mesh_volume(&meshes, a.boolean(1)?)?, a.choice(3)?));
+    }
     let (shapes, wanted) = (shapes(a)?, a.choice(3)?);
     Ok(one_of(operators::volume(&shapes, a.boolean(1)?, a.number(2)?)?, wanted))
 }
@@ -283,6 +325,9 @@ fn exact<S: Arithmetic>(a: &Bound<S>, shapes: &[Shape<S>]) -> Outcome<S> {
 }
 
 fn mass(a: &Bound<f64>) -> Result<Mass, Failure> {
+    if let Some(meshes) = meshes(a)? {
+        return Ok(mesh_mass(&meshes, a.boolean(1)?)?);
+    }
     Ok(operators::mass(&shapes(a)?, a.boolean(1)?, a.number(2)?)?)
 }
 
@@ -312,7 +357,10 @@ fn inertia(a: &Bound<f64>) -> Outcome<f64> {
 }
 
 fn bounding_box(a: &Bound<f64>) -> Outcome<f64> {
-    let found = operators::bounding_box(&shapes(a)?, a.number(1)?)?;
+    let found = match meshes(a)? {
+        Some(meshes) => mesh_box(&meshes)?,
+        None => operators::bounding_box(&shapes(a)?, a.number(1)?)?,
+    };
     let entries = vec![
         (words("lower", "bas"), Value::point(&found.lower, None)),
         (words("upper", "haut"), Value::point(&found.upper, None)),

@@ -131,6 +131,7 @@ impl Search {
         let whole = Cell { determinant, low: vec![0.0; axes], high: vec![1.0; axes] };
         let mut waiting = std::collections::VecDeque::from([whole]);
         while let Some(cell) = waiting.pop_front() {
+            pforms_kernel::stopping::check()?;
             self.cells += 1;
             if self.settles(&cell, piece) {
                 continue;

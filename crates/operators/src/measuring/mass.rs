@@ -72,6 +72,36 @@ pub fn mass(shapes: &[Shape], filled: bool, accuracy: f64) -> Result<Mass> {
     Central::of(&integral, error, ambient)?.mass(&integral, dimension)
 }
 
+/// What something of density 1 adds up to, seen from an origin in units of a length.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Moments {
+    /// Its measure; the integrals of each coordinate, then of each product of two, `xᵢxⱼ` with `i ≤ j`.
+    pub values: Vec<f64>,
+    /// By how much each of these may be wrong, at most.
+    pub error: f64,
+    /// The origin, in the unit.
+    pub origin: Vec<f64>,
+    /// The unit, with which no number here is much larger than 1.
+    pub unit: f64,
+}
+
+impl Mass {
+    /// Centre and inertia from moments of a thing of this dimension (2 for surfaces).
+    ///
+    /// Errors: `Shape` for a wrong number of moments; `Degenerate` when there is no mass; `Domain`
+    /// beyond the largest number.
+    pub fn of_moments(moments: Moments, dimension: usize) -> Result<Self> {
+        let Moments { values, error, origin, unit } = moments;
+        let ambient = origin.len();
+        let expected = 1 + ambient + ambient * (ambient + 1) / 2;
+        if values.len() != expected {
+            return Err(Error::shape("moments", values.len(), expected));
+        }
+        let integral = Integral { values, error, origin, unit };
+        Central::of(&integral, error, ambient)?.mass(&integral, dimension)
+    }
+}
+
 /// Moments about the centre, in units.
 struct Central {
     measure: [f64; 2],

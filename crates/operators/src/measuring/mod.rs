@@ -55,7 +55,7 @@ pub use intersect::{
     intersect_inside, intersect_many,
 };
 pub use invert::{Doubt, Inversion, Inverter, Preimage, invert};
-pub use mass::{Mass, mass};
+pub use mass::{Mass, Moments, mass};
 pub use measure::{Measure, area, measure, signed_area};
 pub use normal_form::{binormal_form, normal_form};
 pub use normals::{normal_grid_into, normals_into};

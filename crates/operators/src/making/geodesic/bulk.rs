@@ -130,6 +130,7 @@ fn followed(atlas: &Atlas, tasks: &mut [Task]) -> Result<()> {
         alone(atlas, task, 0.0)?;
     }
     loop {
+        pforms_kernel::stopping::check()?;
         let mut moved = false;
         for net in 0..atlas.nets.len() {
             let here = |task: &Task| !task.done && task.course.chart == Chart::Piece(net);

@@ -145,6 +145,7 @@ impl Tracer<'_> {
     fn run(&mut self) -> Result<Option<Ending>> {
         let mut look = self.prepared()?;
         while self.course.length < self.request.length {
+            pforms_kernel::stopping::check()?;
             self.count()?;
             let rest = self.request.length - self.course.length;
             let by = self.by.min(rest).min(self.approach());

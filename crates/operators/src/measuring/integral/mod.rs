@@ -148,6 +148,7 @@ impl Work {
             queue.push(self.waiting(cell, &mut number)?);
         }
         loop {
+            pforms_kernel::stopping::check()?;
             // Made anew each time: what is left of large errors taken off a sum is no small error.
             let sums = sums(&queue);
             let fixed = omitted + sums.noise + ROUNDINGS * f64::EPSILON * sums.size;

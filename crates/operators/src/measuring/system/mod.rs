@@ -109,7 +109,7 @@ pub(crate) fn solve(equations: &Equations, limits: &Limits) -> Solutions {
     // In the order of cutting: where the work ends, all that is left is about as small.
     let mut queue = VecDeque::from([Cell::whole(equations, limits.border)]);
     while let Some(cell) = queue.pop_front() {
-        if found.work >= limits.most {
+        if found.work >= limits.most || pforms_kernel::stopping::is_stopped() {
             undecided.push((cell.bounds(), true));
             continue;
         }
