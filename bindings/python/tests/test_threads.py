@@ -128,7 +128,7 @@ def test_one_long_call_is_interrupted():
         signal.setitimer(signal.ITIMER_REAL, 0.3)
         ball = pf.sphere(1)
         with pytest.raises(KeyboardInterrupt):
-            pf.common(ball, pf.translate(ball, (1, 0, 0)), accuracy=1e-5)
+            pf.common(ball, pf.translate(ball, (1, 0, 0)), accuracy=1e-4)
     finally:
         signal.setitimer(signal.ITIMER_REAL, 0)
         signal.signal(signal.SIGALRM, before)
