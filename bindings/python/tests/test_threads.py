@@ -125,7 +125,7 @@ def test_one_long_call_is_interrupted():
     before = signal.signal(signal.SIGALRM, interrupt)
     start = time.monotonic()
     try:
-        signal.setitimer(signal.ITIMER_REAL, 0.3)
+        signal.setitimer(signal.ITIMER_REAL, 0.1)
         ball = pf.sphere(1)
         with pytest.raises(KeyboardInterrupt):
             pf.common(ball, pf.translate(ball, (1, 0, 0)), accuracy=1e-4)
