@@ -66,7 +66,7 @@ fn interruptible<T>(job: impl FnOnce() -> T) -> PyResult<T> {
         if last.get().elapsed() < PATIENCE {
             return false;
         }
-        let signals = Python::attach(|py| py.check_signals());
+        let signals = Python::attach(Python::check_signals);
         last.set(Instant::now());
         let stop = signals.is_err();
         heard.set(signals.err());

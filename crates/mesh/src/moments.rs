@@ -57,7 +57,9 @@ pub fn mesh_volume(meshes: &[Mesh], signed: bool) -> Result<Measure> {
 pub fn mesh_mass(meshes: &[Mesh], filled: bool) -> Result<Mass> {
     let Sums { mut values, error, origin, unit } = Sums::of(meshes, filled)?;
     if filled && values[0] < 0.0 {
-        values.iter_mut().for_each(|x| *x = -*x);
+        for x in &mut values {
+            *x = -*x;
+        }
     }
     let dimension = if filled { 3 } else { 2 };
     Mass::of_moments(Moments { values, error, origin, unit }, dimension)

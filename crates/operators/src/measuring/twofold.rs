@@ -154,7 +154,7 @@ mod tests {
         let exact = |x: f64| Rational::from_f64(x).unwrap();
         let error = exact(third.high) + exact(third.low) - Rational::ratio(1, 3);
         assert!(error.to_f64().abs() < 1e-32);
-        let nothing = third.clone() * Twofold::from_integer(3) - Twofold::one();
+        let nothing = third * Twofold::from_integer(3) - Twofold::one();
         assert!(nothing.high.abs() < 1e-31);
         let power = third.power(40);
         let error = exact(power.high) + exact(power.low) - Rational::ratio(1, 3).power(40);
