@@ -6,6 +6,7 @@ use pforms_formula::Address;
 use serde_json::{Map, Value};
 
 use crate::name::folded;
+use crate::pfs::Remarks;
 use crate::{Edit, Target};
 
 /// An ordered table of settings the sheet keeps without reading: how a cell is drawn, the camera,
@@ -35,6 +36,7 @@ pub struct Document {
     pub(crate) shown: BTreeMap<Address, Settings>,
     pub(crate) camera: Settings,
     pub(crate) notes: Vec<Settings>,
+    pub(crate) remarks: Remarks,
 }
 
 /// A name as it was typed, and its target.
@@ -72,6 +74,9 @@ impl Document {
             Edit::Notes { notes } => {
                 Edit::Notes { notes: std::mem::replace(&mut self.notes, notes) }
             }
+            Edit::Remarks { remarks } => {
+                Edit::Remarks { remarks: std::mem::replace(&mut self.remarks, remarks) }
+            }
         }
     }
 
@@ -90,6 +95,7 @@ impl Document {
             }
             Edit::Camera { .. } => Edit::Camera { settings: self.camera.clone() },
             Edit::Notes { .. } => Edit::Notes { notes: self.notes.clone() },
+            Edit::Remarks { .. } => Edit::Remarks { remarks: self.remarks.clone() },
         }
     }
 
@@ -132,6 +138,11 @@ impl Document {
     /// The camera; empty when nobody moved it.
     pub fn camera(&self) -> &Settings {
         &self.camera
+    }
+
+    /// The comments of a file written by hand, by the lines they stand by.
+    pub fn remarks(&self) -> &Remarks {
+        &self.remarks
     }
 
     /// The notes, in order.

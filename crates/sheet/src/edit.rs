@@ -3,6 +3,7 @@
 use pforms_formula::Address;
 use serde::{Deserialize, Serialize};
 
+use crate::pfs::Remarks;
 use crate::{Settings, Target};
 
 /// One change. Each replaces one thing as a whole, so its opposite is an edit of the same kind.
@@ -43,6 +44,11 @@ pub enum Edit {
         /// All of them.
         notes: Vec<Settings>,
     },
+    /// The comments of a file written by hand.
+    Remarks {
+        /// All of them.
+        remarks: Remarks,
+    },
     /// A title; none removes it.
     Title {
         /// `title`, or `title_` and a language.
@@ -60,6 +66,7 @@ pub(crate) enum Slot {
     Show(Address),
     Camera,
     Notes,
+    Remarks,
     Title(String),
 }
 
@@ -81,6 +88,7 @@ impl Edit {
             Self::Show { at, .. } => Slot::Show(*at),
             Self::Camera { .. } => Slot::Camera,
             Self::Notes { .. } => Slot::Notes,
+            Self::Remarks { .. } => Slot::Remarks,
             Self::Title { key, .. } => Slot::Title(key.clone()),
         }
     }

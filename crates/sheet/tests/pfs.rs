@@ -4,7 +4,7 @@
 use std::path::PathBuf;
 
 use pforms_kernel::Error;
-use pforms_sheet::{Document, Edit, Target, pfs};
+use pforms_sheet::{Document, Edit, Sheet, Target, pfs};
 use proptest::prelude::*;
 
 fn gallery() -> Vec<(PathBuf, String)> {
@@ -143,4 +143,66 @@ proptest! {
         let _ = pfs::read(&text);
         let _ = pfs::read(&format!("pfs = 1\n[cells]\n{text}"));
     }
+}
+
+const COMMENTED: &str = r##"# A sheet by hand.
+#
+# Two lines on top.
+pfs = 1  # the version
+title = "A # is no comment"  # but this is
+
+# The cells
+[cells]  # of the sheet
+# Above A1
+A1 = "(0, 0)"  # beside A1
+A2 = "=\"#\""
+
+[show.A1]  # how it is drawn
+draw = ["points"]  # as points
+
+# The note
+[[notes]]
+text = "say"  # what
+
+# The end.
+"##;
+
+#[test]
+fn comments_stay_where_they_were() {
+    let document = pfs::read(COMMENTED).unwrap();
+    assert_eq!(pfs::write(&document), COMMENTED);
+}
+
+#[test]
+fn comments_in_other_layouts_are_moved_but_none_is_lost() {
+    let text = "pfs=1#a\n[camera]\nview = [ # b\n 1, # c\n 2 ] # d\n\
+        long = \"\"\"x # no\n y\"\"\" # e\n'q#' = 'z#\\' # f\n[cells] # g\n\na1 = 3 # h\n[names] # i\n";
+    let written = pfs::write(&pfs::read(text).unwrap());
+    for comment in ["a", "b", "c", "d", "e", "f", "g", "h", "i"] {
+        let found = written.lines().filter(|line| {
+            line.trim_end().ends_with(&format!("#{comment}"))
+                || line.ends_with(&format!("# {comment}"))
+        });
+        assert_eq!(found.count(), 1, "{comment} in {written}");
+    }
+    assert!(!written.contains("# no\n") && written.contains("A1 = \"3\"  # h"), "{written}");
+    assert_eq!(pfs::write(&pfs::read(&written).unwrap()), written);
+}
+
+#[test]
+fn comments_go_with_their_cells() {
+    let mut sheet = Sheet::<f64>::open(COMMENTED).unwrap();
+    sheet.insert_rows(1, 2).unwrap();
+    assert!(
+        sheet.save().contains("# Above A1\nA3 = \"(0, 0)\"  # beside A1\n"),
+        "{}",
+        sheet.save()
+    );
+    sheet.undo();
+    assert_eq!(sheet.save(), COMMENTED);
+    // Without its cell a comment waits at the end; with it, it is back in its place.
+    sheet.set("A1".parse().unwrap(), "");
+    assert!(sheet.save().ends_with("# Above A1\n# beside A1\n# The end.\n"), "{}", sheet.save());
+    sheet.undo();
+    assert_eq!(sheet.save(), COMMENTED);
 }

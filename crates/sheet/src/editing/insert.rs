@@ -79,7 +79,10 @@ impl<S: Arithmetic> Sheet<S> {
             target: Some(gap.target(target)),
         });
         let notes = document.notes.iter().map(|note| followed_note(gap, note)).collect();
-        let edits = cells.chain(styles).chain(names).chain([Edit::Notes { notes }]).collect();
+        let remarks = document.remarks.iter();
+        let remarks = remarks.map(|(line, remark)| (followed_line(gap, line), remark.clone()));
+        let whole = [Edit::Notes { notes }, Edit::Remarks { remarks: remarks.collect() }];
+        let edits = cells.chain(styles).chain(names).chain(whole).collect();
         self.make(edits);
         Ok(())
     }
@@ -103,6 +106,18 @@ fn differences<'a, T: Clone + PartialEq>(
     let places: BTreeSet<Address> = old.keys().chain(new.keys()).copied().collect();
     let different = places.into_iter().filter(|at| old.get(at) != new.get(at));
     different.map(|at| (at, new.get(&at).cloned())).collect::<Vec<_>>().into_iter()
+}
+
+/// The name of a line in the file, when its cell moves.
+fn followed_line(gap: Gap, line: &str) -> String {
+    let mut parts: Vec<String> = line.split('.').map(str::to_owned).collect();
+    if let [table, cell, ..] = &mut parts[..]
+        && matches!(table.as_str(), "cells" | "show")
+        && let Some(to) = cell.parse().ok().and_then(|at| gap.moved(at))
+    {
+        *cell = to.to_string();
+    }
+    parts.join(".")
 }
 
 /// A note that stands beside a cell goes with it.

@@ -73,6 +73,6 @@ fn check(edit: &Edit) -> Result<()> {
         Edit::Title { key, .. } if !pfs::is_title(key) => {
             Err(Error::format("a title", None, format!("{key:?} is no key of a title")))
         }
-        Edit::Title { .. } | Edit::Cell { .. } => Ok(()),
+        Edit::Title { .. } | Edit::Cell { .. } | Edit::Remarks { .. } => Ok(()),
     }
 }

@@ -21,14 +21,16 @@
 //! ```
 //!
 //! Cells are written column by column, names by the alphabet, and the keys of a style, the camera
-//! or a note in the order they had. What we wrote reads and writes back byte for byte. Comments
-//! are not kept: notes are.
+//! or a note in the order they had. What we wrote reads and writes back byte for byte. A comment
+//! stays above or behind its line; when the line is gone it moves to the end.
 
 mod read;
+mod remarks;
 mod write;
 
 pub(crate) use read::is_title;
 pub use read::{read, read_bytes};
+pub use remarks::{Remark, Remarks};
 pub use write::write;
 
 /// The version of the format that is written, and the last one that is read.

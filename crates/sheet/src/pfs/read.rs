@@ -9,6 +9,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use super::VERSION;
+use super::remarks::remarks;
 use crate::document::Name;
 use crate::name::{check_name, folded};
 use crate::settings::DEPTH;
@@ -33,7 +34,9 @@ pub fn read(source: &str) -> Result<Document> {
         let place = error.span().unwrap_or(0..0);
         reader.error(&place, error.message())
     })?;
-    reader.document(table.get_ref())
+    let mut document = reader.document(table.get_ref())?;
+    document.remarks = remarks(source);
+    Ok(document)
 }
 
 /// [`read`] for a file of unknown content.

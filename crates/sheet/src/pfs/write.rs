@@ -1,54 +1,110 @@
 //! Writing, always in the same order and spelling.
 
 use std::fmt::Write;
+use std::mem;
 
 use serde_json::Value;
 
 use super::VERSION;
+use super::remarks::{END, Remark, Remarks};
 use crate::{Document, Settings};
 
 /// The text of a sheet: the same document always gives the same bytes.
 pub fn write(document: &Document) -> String {
-    let mut out = format!("pfs = {VERSION}\n");
+    let mut writer = Writer { out: String::new(), remarks: document.remarks.clone() };
+    writer.line("pfs", &format!("pfs = {VERSION}"));
     for (key, title) in &document.titles {
-        entry(&mut out, key, &Value::from(title.as_str()));
+        writer.entry("", key, &Value::from(title.as_str()));
     }
     if !document.cells.is_empty() {
-        out.push_str("\n[cells]\n");
+        writer.header("cells", "[cells]");
         for (at, text) in &document.cells {
-            entry(&mut out, &at.to_string(), &Value::from(text.as_str()));
+            writer.entry("cells", &at.to_string(), &Value::from(text.as_str()));
         }
     }
     if !document.names.is_empty() {
-        out.push_str("\n[names]\n");
+        writer.header("names", "[names]");
         for name in document.names.values() {
-            entry(&mut out, &name.spelling, &Value::from(name.target.to_string()));
+            writer.entry("names", &name.spelling, &Value::from(name.target.to_string()));
         }
     }
     for (at, settings) in &document.shown {
-        section(&mut out, &format!("[show.{at}]"), settings);
+        writer.section(&format!("show.{at}"), &format!("[show.{at}]"), settings);
     }
     if !document.camera.is_empty() {
-        section(&mut out, "[camera]", &document.camera);
+        writer.section("camera", "[camera]", &document.camera);
     }
-    for note in &document.notes {
-        section(&mut out, "[[notes]]", note);
+    for (number, note) in document.notes.iter().enumerate() {
+        writer.section(&format!("notes.{number}"), "[[notes]]", note);
     }
-    out
+    writer.finish()
 }
 
-fn section(out: &mut String, header: &str, settings: &Settings) {
-    let _ = writeln!(out, "\n{header}");
-    for (key, item) in settings {
-        entry(out, key, item);
-    }
+/// Writes lines with what was remarked on them.
+struct Writer {
+    out: String,
+    /// What has not been written yet.
+    remarks: Remarks,
 }
 
-fn entry(out: &mut String, key: &str, item: &Value) {
-    push_key(out, key);
-    out.push_str(" = ");
-    push_value(out, item);
-    out.push('\n');
+impl Writer {
+    fn section(&mut self, name: &str, header: &str, settings: &Settings) {
+        self.header(name, header);
+        for (key, item) in settings {
+            self.entry(name, key, item);
+        }
+    }
+
+    fn header(&mut self, name: &str, header: &str) {
+        self.out.push('\n');
+        self.line(name, header);
+    }
+
+    fn entry(&mut self, table: &str, key: &str, item: &Value) {
+        let mut line = String::new();
+        push_key(&mut line, key);
+        line.push_str(" = ");
+        push_value(&mut line, item);
+        let name = if table.is_empty() { key.to_owned() } else { format!("{table}.{key}") };
+        self.line(&name, &line);
+    }
+
+    fn line(&mut self, name: &str, line: &str) {
+        let Remark { above, beside } = self.remarks.remove(name).unwrap_or_default();
+        for comment in &above {
+            self.comment(comment);
+        }
+        self.out.push_str(line);
+        match beside {
+            Some(comment) => {
+                self.out.push_str("  ");
+                self.comment(&comment);
+            }
+            None => self.out.push('\n'),
+        }
+    }
+
+    fn comment(&mut self, comment: &str) {
+        self.out.push('#');
+        self.out.extend(comment.chars().filter(|c| *c == '\t' || !c.is_control()));
+        self.out.push('\n');
+    }
+
+    /// What was remarked on lines that are gone, and at the end.
+    fn finish(mut self) -> String {
+        let mut rest = mem::take(&mut self.remarks);
+        let last = rest.remove(END);
+        let left = rest.into_values().chain(last);
+        let left: Vec<String> =
+            left.flat_map(|remark| remark.above.into_iter().chain(remark.beside)).collect();
+        if !left.is_empty() {
+            self.out.push('\n');
+        }
+        for comment in &left {
+            self.comment(comment);
+        }
+        self.out
+    }
 }
 
 fn push_key(out: &mut String, key: &str) {
