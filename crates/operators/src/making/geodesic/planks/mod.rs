@@ -58,7 +58,7 @@ pub struct Plank {
     pub complete: bool,
     /// Other planks that lie along a part of the same line.
     pub overlaps: Vec<usize>,
-    /// The largest curvature it is bent to, one over the least radius, at the nodes of its pieces.
+    /// The largest curvature it is bent to, one over the least radius, at places along its pieces.
     pub bend: f64,
     /// The largest geodesic torsion of its axis, in radians for each length: how much its normal turns.
     pub twist: f64,

@@ -3,7 +3,7 @@
 use pforms_kernel::{Error, Result};
 
 use super::axis::Axis;
-use super::nodes::{ORDER, Rule};
+use super::nodes::{ORDER, Rule, value};
 use super::spot::{Frame, Spot};
 use crate::measuring::vector::{norm, plus};
 
@@ -48,6 +48,9 @@ const BLUR: f64 = 1e-12;
 
 /// Stretches so short, in sizes of the surface, are left out: they are rounding beside a knot.
 const CRUMB: f64 = 1e-10;
+
+/// Places along a piece where its curvature is looked at.
+const PLACES: usize = 64;
 
 /// Nodes that have to be known for the others to be filled in.
 const ENOUGH: usize = 5;
@@ -294,15 +297,18 @@ impl Piece {
         parts.iter().flatten().fold(0.0, |most, x| larger(most, x.abs()))
     }
 
-    /// The largest curvature square to the rulings at the nodes, at the edge where they are closest.
+    /// The largest curvature square to the rulings at places along the piece, at the edge where they are closest.
     pub(super) fn sharpest(&self, rule: &Rule, half: f64) -> f64 {
         let Some(slope) = &self.slope else { return 0.0 };
-        let by = self.to - self.from;
-        let rates = rule.slopes(slope);
-        let nodes = self.bends.iter().zip(slope.iter().zip(&rates));
-        nodes
-            .map(|(bend, (x, rate))| bend.abs() * (1.0 + x * x) / (1.0 - half * (rate / by).abs()))
-            .fold(0.0, larger)
+        let (slopes, bends) = (rule.poles(slope), rule.poles(&self.bends));
+        let by = (ORDER - 1) as f64 / (self.to - self.from);
+        let rates: Vec<f64> = slopes.windows(2).map(|pair| by * (pair[1] - pair[0])).collect();
+        let curvature = |k: usize| {
+            let t = k as f64 / PLACES as f64;
+            let (x, rate) = (value(&slopes, t), value(&rates, t));
+            value(&bends, t).abs() * (1.0 + x * x) / (1.0 - half * rate.abs())
+        };
+        (0..=PLACES).map(curvature).fold(0.0, larger)
     }
 
     fn with_largest(mut self, spots: &[Spot]) -> Self {
