@@ -14,7 +14,7 @@ use pyo3::sync::PyOnceLock;
 use pyo3::types::{PyFloat, PyInt, PyList, PyTuple};
 use smallvec::SmallVec;
 
-use crate::errors::{ShapeError, mistyped, raised};
+use crate::errors::{LimitError, ShapeError, mistyped, raised};
 use crate::form::PyForm;
 use crate::outputs::MOST_AXES;
 
@@ -62,6 +62,17 @@ impl<'py> Numbers<'py> {
         check_size(argument, array.cast::<PyUntypedArray>()?)?;
         let array = to_float(&array).map_err(|error| explained(argument, object, error))?;
         Self::borrow(argument, array.cast::<PyArrayDyn<f64>>()?)
+    }
+
+    /// The same, or none where an object is no array of numbers but perhaps a list of others.
+    ///
+    /// Errors: `LimitError` for an array too large, which would be no smaller item by item.
+    pub(crate) fn if_any(argument: &str, object: &Bound<'py, PyAny>) -> PyResult<Option<Self>> {
+        match Self::read(argument, object) {
+            Ok(numbers) => Ok(Some(numbers)),
+            Err(error) if error.is_instance_of::<LimitError>(object.py()) => Err(error),
+            Err(_) => Ok(None),
+        }
     }
 
     /// The coordinates of a form without axes.

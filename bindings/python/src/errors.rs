@@ -66,14 +66,19 @@ fn interruptible<T>(job: impl FnOnce() -> T) -> PyResult<T> {
         if last.get().elapsed() < PATIENCE {
             return false;
         }
-        let signals = Python::attach(Python::check_signals);
         last.set(Instant::now());
-        let stop = signals.is_err();
-        heard.set(signals.err());
-        stop
+        let Err(signal) = Python::attach(signals) else {
+            return false;
+        };
+        heard.set(Some(signal));
+        true
     };
     let (answer, _) = stoppable(asked, job);
     raised.take().map_or(Ok(answer), Err)
+}
+
+fn signals(py: Python<'_>) -> PyResult<()> {
+    py.check_signals()
 }
 
 /// The error under the name by which the caller knows the argument.

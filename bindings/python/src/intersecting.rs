@@ -12,7 +12,7 @@ use pyo3::types::{PyDict, PyTuple};
 
 use crate::arguments::real;
 use crate::arrays::Numbers;
-use crate::errors::{LimitError, done, fail, mistyped, raised};
+use crate::errors::{done, fail, mistyped, raised};
 use crate::form::PyForm;
 use crate::outputs::array;
 use crate::shapes::read;
@@ -151,13 +151,7 @@ fn several(argument: &str, object: &Bound<'_, PyAny>) -> PyResult<Vec<Form>> {
     if let Ok(form) = object.cast::<PyForm>() {
         return Ok(vec![form.get().form.clone()]);
     }
-    let numbers = Numbers::read(argument, object);
-    if let Err(error) = &numbers
-        && error.is_instance_of::<LimitError>(object.py())
-    {
-        return Err(error.clone_ref(object.py()));
-    }
-    if let Ok(numbers) = numbers {
+    if let Some(numbers) = Numbers::if_any(argument, object)? {
         let &[count, order, ambient] = numbers.shape() else {
             let received = format!("an array of shape {:?}", numbers.shape());
             return fail(&Error::shape(argument, received, "shape (n, order, c)"));

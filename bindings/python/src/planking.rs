@@ -93,10 +93,7 @@ pub(crate) fn planks<'py>(
 fn collected(object: Any, into: &mut Vec<Spline>) -> PyResult<bool> {
     let net = match single(object)? {
         Some(shape) => Some(shape),
-        None => match Numbers::read("lines", object) {
-            Ok(numbers) => Some(net(&numbers)?),
-            Err(_) => None,
-        },
+        None => Numbers::if_any("lines", object)?.as_ref().map(net).transpose()?,
     };
     if let Some(net) = net {
         let (lines, listed) = operators::plank_lines(net).map_err(|e| raised(&e))?;

@@ -25,9 +25,11 @@ pub(crate) fn read(argument: &str, object: &Bound<'_, PyAny>) -> PyResult<Shape>
     if is_mesh(object) {
         return Err(mistyped(argument, object, expected));
     }
-    match Numbers::read(argument, object) {
-        Ok(numbers) => Ok(from_euclidean(argument, &numbers, None).map_err(|e| raised(&e))?.into()),
-        Err(_) => Err(mistyped(argument, object, expected)),
+    match Numbers::if_any(argument, object)? {
+        Some(numbers) => {
+            Ok(from_euclidean(argument, &numbers, None).map_err(|e| raised(&e))?.into())
+        }
+        None => Err(mistyped(argument, object, expected)),
     }
 }
 

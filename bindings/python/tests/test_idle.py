@@ -39,10 +39,3 @@ def test_it_is_named(call, name):
 
 def test_false_asks_for_nothing():
     assert pf.interpolating_spline(POINTS, circle=False) == pf.interpolating_spline(POINTS)
-
-
-@pytest.mark.parametrize("measure", [pf.area, pf.centroid, pf.inertia, pf.box])
-def test_a_mesh_is_no_list_of_nets(measure):
-    mesh = pf.Mesh.of([(0, 0, 0), (1, 0, 0), (0, 1, 0)], [(0, 1, 2)])
-    with pytest.raises(pf.ArgumentError, match=r"received a Mesh"):
-        measure(mesh)

@@ -319,6 +319,8 @@ pub(super) const PATTERNS: &[(&str, &str)] = &[
     ("rows of one length", "des rangées de même longueur"),
     ("rows of {}", "des rangées de {}"),
     ("the text {}", "le texte {}"),
+    ("the angle {}", "l'angle {}"),
+    ("the vector {}", "le vecteur {}"),
     (
         "the vector it is seen from, or the principal normal",
         "le vecteur d'où elle est vue, ou la normale principale",

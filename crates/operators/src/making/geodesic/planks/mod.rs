@@ -116,7 +116,7 @@ pub struct Mark {
 /// let surface = cylinder(&2.0, &1.0, Part::Quarter)?.into_spline();
 /// let [u, v] = [0, 1].map(|axis| surface.window(axis));
 /// let ((a, b), (c, d)) = (u?, v?);
-/// let round = Form::from_points(&[2], 2, &[a, 0.5 * (c + d), b, 0.5 * (c + d)], None)?;
+/// let round = Form::from_points(&[2], 2, &[0.5 * (a + b), c, 0.5 * (a + b), d], None)?;
 /// let boards = planks(surface, &[round.into()], 0.25, &PlankOptions::default())?;
 /// assert!((boards[0].length - std::f64::consts::PI).abs() < 1e-9 && boards[0].lift < 1e-8);
 /// assert!((boards[0].bend - 0.5).abs() < 1e-9);
