@@ -82,6 +82,7 @@ print(*sorted(set(sys.modules) - before))
         "pforms.records.geodesics",
         "pforms.records.made",
         "pforms.records.measures",
+        "pforms.records.planks",
         "pforms.records.searches",
         "pforms.sensitivity",
         "pforms.solids",
