@@ -239,3 +239,17 @@ fn a_loop_with_itself_and_with_a_part_of_itself() {
     assert!((found.contacts[0].first[0] - 2.0 * root).abs() < 1e-12, "{found:#?}");
     assert_eq!((found.contacts[1].first[0], found.contacts[1].second[0]), (1.0, 0.0));
 }
+
+/// What a curve that stops and goes back shares with its carrier is not claimed to be known.
+#[test]
+fn an_arc_to_and_fro_is_left_open() {
+    let line = Form::from_points(&[2], 2, &[0., 0., 1., 0.], None).unwrap();
+    let there_and_back = Form::from_points(&[3], 2, &[0.25, 0., 1.25, 0., 0.25, 0.], None).unwrap();
+    let twice = Form::from_points(&[4], 2, &[0., 0., 2., 0., -1., 0., 1., 0.], None).unwrap();
+    for back in [there_and_back, twice] {
+        for (a, b) in [(&line, &back), (&back, &line)] {
+            let found = intersect(&a.clone().into(), &b.clone().into(), 1e-10).unwrap();
+            assert!(!found.complete && !found.undecided.is_empty());
+        }
+    }
+}

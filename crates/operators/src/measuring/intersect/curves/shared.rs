@@ -65,6 +65,10 @@ pub(super) fn shared(
             nodes(a, b, live, &overlap, answer)?;
         }
     }
+    if turns_back(a)? || turns_back(b)? {
+        // The same arc run to and fro: which shares belong together is not looked into.
+        answer.undecided.push(undecided(&[[0.0, 1.0], [0.0, 1.0]]));
+    }
     for [s, t] in ends {
         let mut contact = met(a, &Meeting { s, t, order: 0 });
         contact.error = ARC;
@@ -184,6 +188,17 @@ fn nodes(
 fn distance(a: &Form, [s, t]: [f64; 2]) -> f64 {
     let (p, q) = (jet(a, s).0, jet(a, t).0);
     norm(&p.iter().zip(&q).map(|(x, y)| x - y).collect::<Vec<_>>())
+}
+
+/// May a curve stop and go back on itself?
+fn turns_back(form: &Form) -> Result<bool> {
+    let at = |i: usize| [i as f64 / PARTS as f64];
+    for i in 1..PARTS {
+        if !turns_little(&stretch(form, &at(i - 1), &at(i + 1))?) {
+            return Ok(true);
+        }
+    }
+    Ok(false)
 }
 
 /// Does a curve turn by less than half a turn? Then it does not cross itself.
